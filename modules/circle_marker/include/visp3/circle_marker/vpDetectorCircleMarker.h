@@ -1,0 +1,138 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Detection, identification and pose of circular markers.
+ */
+
+/*!
+  \file vpDetectorCircleMarker.h
+  \brief Detection, identification and pose of circular markers.
+*/
+
+#ifndef VP_DETECTOR_CIRCLE_MARKER_H
+#define VP_DETECTOR_CIRCLE_MARKER_H
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <visp3/circle_marker/vpCircleMarkerDetection.h>
+#include <visp3/circle_marker/vpCircleMarkerFamily.h>
+#include <visp3/circle_marker/vpConfigCircleMarker.h>
+#include <visp3/core/vpCameraParameters.h>
+#include <visp3/core/vpColor.h>
+#include <visp3/core/vpImage.h>
+#include <visp3/core/vpRGBa.h>
+#include <visp3/detection/vpDetectorBase.h>
+
+BEGIN_VISP_NAMESPACE
+
+/*!
+  \class vpDetectorCircleMarker
+  \ingroup group_circle_marker
+  \brief Finds circular markers in an image, reads their codes and gives their poses with a covariance.
+
+  The interface is that of vpDetectorAprilTag. The size of a marker is the outer diameter of its black ring, metres.
+
+  \code
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);
+  std::vector<vpHomogeneousMatrix> cMo;
+  detector.detect(I, 0.180, cam, cMo);
+  for (size_t i = 0; i < cMo.size(); i++) {
+    std::cout << detector.getMessage(i) << "\n" << cMo[i] << std::endl; // "golay23 id: 5"
+  }
+  \endcode
+
+  By default the marker frame is that of vpDetectorAprilTag: x right and y up as the print is seen upright, z toward
+  the camera. After setZAlignedWithCameraAxis(true) y is down and z points into the marker.
+
+  A circle seen by a camera has two poses with the same image of its outer edge. Both are refined and compared;
+  the likelier comes first, and vpCircleMarkerDetection::logOdds says by how much.
+
+  Without camera parameters, in detect(const vpImage<unsigned char> &), the codes are read with a nominal camera
+  (focal length equal to the image's larger side); call getPose() afterwards.
+
+  getCog(), inherited, is the mean of the polygon's points; the image of the circle's centre is getCenter().
+*/
+class VISP_EXPORT vpDetectorCircleMarker : public vpDetectorBase
+{
+public:
+  explicit vpDetectorCircleMarker(const vpCircleMarkerFamily &family = vpCircleMarkerFamily::GOLAY23);
+  explicit vpDetectorCircleMarker(vpCircleMarkerFamily::vpType family);
+  vpDetectorCircleMarker(const vpDetectorCircleMarker &other);
+  vpDetectorCircleMarker &operator=(const vpDetectorCircleMarker &other);
+  ~vpDetectorCircleMarker() VP_OVERRIDE;
+
+  /** @name Detection */
+  //@{
+  bool detect(const vpImage<unsigned char> &I) VP_OVERRIDE;
+  bool detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
+              std::vector<vpHomogeneousMatrix> &cMo_vec, std::vector<vpHomogeneousMatrix> *cMo_vec2 = nullptr,
+              std::vector<double> *projErrors = nullptr, std::vector<double> *projErrors2 = nullptr);
+  //@}
+
+  /** @name Results, one per detected marker */
+  //@{
+  const std::vector<vpCircleMarkerDetection> &getDetections() const;
+  bool getPose(size_t index, double size, const vpCameraParameters &cam, vpHomogeneousMatrix &cMo,
+               vpHomogeneousMatrix *cMo2 = nullptr, double *projError = nullptr, double *projError2 = nullptr);
+  vpImagePoint getCenter(size_t index) const;
+  vpMatrix getCovariance(size_t index) const;
+  double getLogOdds(size_t index) const;
+  double getMargin(size_t index) const;
+  unsigned int getHammingDistance(size_t index) const;
+  std::vector<int> getTagsId() const;
+  std::vector<std::vector<vpImagePoint> > getTagsCorners() const;
+  std::vector<int> getTagsHammingDistance() const;
+  std::vector<float> getTagsDecisionMargin() const;
+  //@}
+
+  /** @name Settings */
+  //@{
+  void setFamily(const vpCircleMarkerFamily &family);
+  void setFamilies(const std::vector<vpCircleMarkerFamily> &families);
+  const std::vector<vpCircleMarkerFamily> &getFamilies() const;
+  void setMarkerSizes(const std::map<int, double> &sizes);
+  void setMaximumHammingDistance(unsigned int distance);
+  void setMinimumMargin(double margin);
+  void setNbThreads(unsigned int threads);
+  void setRefinePose(bool refine);
+  void setZAlignedWithCameraAxis(bool aligned);
+  void loadConfigFile(const std::string &filename);
+  void saveConfigFile(const std::string &filename) const;
+  //@}
+
+  /** @name Display */
+  //@{
+  void setDisplayTag(bool display, const vpColor &color = vpColor::none, unsigned int thickness = 2);
+  void displayFrames(const vpImage<unsigned char> &I, const std::vector<vpHomogeneousMatrix> &cMo_vec,
+                     const vpCameraParameters &cam, double size, const vpColor &color = vpColor::none,
+                     unsigned int thickness = 1) const;
+  void displayFrames(const vpImage<vpRGBa> &I, const std::vector<vpHomogeneousMatrix> &cMo_vec,
+                     const vpCameraParameters &cam, double size, const vpColor &color = vpColor::none,
+                     unsigned int thickness = 1) const;
+  void displayTags(const vpImage<unsigned char> &I, const vpColor &color = vpColor::none,
+                   unsigned int thickness = 2) const;
+  void displayTags(const vpImage<vpRGBa> &I, const vpColor &color = vpColor::none, unsigned int thickness = 2) const;
+  //@}
+
+private:
+  class Impl;
+  std::unique_ptr<Impl> m_impl; //!< Settings, working memory and results.
+};
+
+END_VISP_NAMESPACE
+
+#endif
