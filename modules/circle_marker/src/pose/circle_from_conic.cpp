@@ -45,6 +45,23 @@ struct CenteredEllipse
   }
 };
 
+/*!
+  Dot product as exact as in doubled precision, then rounded: Dot2 of T. Ogita, S. Rump and S. Oishi, Accurate sum and
+  dot product, SIAM Journal on Scientific Computing 26 (2005).
+*/
+template <std::size_t size> double accurateDot(const std::array<double, size> &x, const std::array<double, size> &y)
+{
+  double sum = 0., error = 0.;
+  for (std::size_t i = 0; i < size; i++) {
+    const double product = x[i] * y[i];
+    const double next = sum + product;
+    const double part = next - sum;
+    error += std::fma(x[i], y[i], -product) + ((sum - (next - part)) + (product - part));
+    sum = next;
+  }
+  return sum + error;
+}
+
 std::optional<CenteredEllipse> centerConic(const Eigen::Matrix3d &Q)
 {
   const Eigen::Matrix3d symmetric = Q.selfadjointView<Eigen::Upper>();
@@ -52,8 +69,10 @@ std::optional<CenteredEllipse> centerConic(const Eigen::Matrix3d &Q)
   if (!symmetric.allFinite() || !(scale > 0.)) {
     return std::nullopt;
   }
-  // Dividing by a denormal number would overflow; in this order the result is at most 1.
-  const Eigen::Matrix3d C = symmetric / ((symmetric(0, 0) + symmetric(1, 1) < 0.) ? -scale : scale);
+  // A power of two, so that scaling rounds nothing.
+  const double sign = (symmetric(0, 0) + symmetric(1, 1) < 0.) ? -1. : 1.;
+  const int exponent = std::ilogb(scale);
+  const Eigen::Matrix3d C = symmetric.unaryExpr([=](double c) { return sign * std::scalbn(c, -exponent); });
 
   CenteredEllipse ellipse;
   ellipse.A = C.topLeftCorner<2, 2>();
@@ -66,11 +85,15 @@ std::optional<CenteredEllipse> centerConic(const Eigen::Matrix3d &Q)
   }
   ellipse.center << (ellipse.A(0, 1) * b(1) - ellipse.A(1, 1) * b(0)) / det,
       (ellipse.A(0, 1) * b(0) - ellipse.A(0, 0) * b(1)) / det;
-  // The full quadratic form, since there an error of the centre counts in the second order only.
-  const double quadratic = ellipse.center.dot(ellipse.A * ellipse.center);
-  ellipse.offset = quadratic + 2. * b.dot(ellipse.center) + C(2, 2);
-  // A point's offset, computed, is this small: about four roundings of the largest term.
-  if (!ellipse.center.allFinite() || !(ellipse.offset < -4. * epsilon * quadratic)) {
+  // The value of the form at the centre, where an error of the centre counts in the second order only; its terms are up
+  // to the square of (distance of the centre / size of the ellipse) larger than their sum.
+  const double cx = ellipse.center.x(), cy = ellipse.center.y();
+  const double gx = accurateDot<3>({C(0, 0), C(0, 1), C(0, 2)}, {cx, cy, 1.});
+  const double gy = accurateDot<3>({C(0, 1), C(1, 1), C(1, 2)}, {cx, cy, 1.});
+  ellipse.offset = accurateDot<5>({C(0, 2), C(1, 2), C(2, 2), gx, gy}, {cx, cy, 1., cx, cy});
+  // A point's offset is this small: half a unit in the last place of each coefficient times its monomial.
+  const double largest = std::fabs(C(0, 2) * cx) + std::fabs(C(1, 2) * cy) + std::fabs(C(2, 2));
+  if (!ellipse.center.allFinite() || !(ellipse.offset < -2. * epsilon * largest)) {
     return std::nullopt;
   }
   return ellipse;
