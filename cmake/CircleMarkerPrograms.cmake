@@ -1,0 +1,36 @@
+#############################################################################
+#
+# Circular fiducial markers for ViSP, the Visual Servoing Platform.
+#
+# This software is free software; you can redistribute it and/or modify
+# it under the terms of the GNU General Public License as published by
+# the Free Software Foundation; either version 2 of the License, or
+# (at your option) any later version.
+# See the file LICENSE at the root directory of this source
+# distribution for additional information about the GNU GPL.
+#
+# This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+# WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+#
+# Description:
+# Programs from one file or from a folder of files.
+#
+#############################################################################
+
+# circle_marker_add_program(<name>): the program <name> from <name>.cpp or from <name>/*.cpp, linked with ViSP.
+# Not there: not built.
+function(circle_marker_add_program name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp
+       ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name} ${sources})
+  if(IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${name})
+    target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/${name})
+  endif()
+  target_include_directories(${name} SYSTEM PRIVATE ${VISP_INCLUDE_DIRS})
+  target_link_libraries(${name} ${VISP_LIBRARIES} ${ARGN})
+  target_compile_features(${name} PRIVATE cxx_std_17)
+  target_compile_options(${name} PRIVATE -Wall -Wextra)
+endfunction()
