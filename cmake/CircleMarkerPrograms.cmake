@@ -18,7 +18,7 @@
 #############################################################################
 
 # circle_marker_add_program(<name>): the program <name> from <name>.cpp or from <name>/*.cpp, linked with ViSP.
-# Not there: not built.
+# A program whose sources are not there is left out. CIRCLE_MARKER_PROGRAMS (global property) collects the names.
 function(circle_marker_add_program name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp
        ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
@@ -33,4 +33,5 @@ function(circle_marker_add_program name)
   target_link_libraries(${name} ${VISP_LIBRARIES} ${ARGN})
   target_compile_features(${name} PRIVATE cxx_std_17)
   target_compile_options(${name} PRIVATE -Wall -Wextra)
+  set_property(GLOBAL APPEND PROPERTY CIRCLE_MARKER_PROGRAMS ${name})
 endfunction()

@@ -1,0 +1,136 @@
+#!/usr/bin/env bash
+#############################################################################
+#
+# Circular fiducial markers for ViSP, the Visual Servoing Platform.
+#
+# This software is free software; you can redistribute it and/or modify
+# it under the terms of the GNU General Public License as published by
+# the Free Software Foundation; either version 2 of the License, or
+# (at your option) any later version.
+# See the file LICENSE at the root directory of this source
+# distribution for additional information about the GNU GPL.
+#
+# This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+# WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+#
+# Description:
+# Builds and tests the modules inside ViSP's own source tree.
+#
+#############################################################################
+
+# bash test/in-tree.sh [--visp DIR] [--work DIR]
+#   --visp DIR  ViSP's source; without it, the source of the distribution's package, fetched with apt-get
+#   --work DIR  folder for that source and for the build, outside of this project; kept, so that the next run is short
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+work=${TMPDIR:-/tmp}/circle-marker-in-tree
+visp=
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --visp | --work)
+      [[ $# -ge 2 ]] || { echo "in-tree.sh: $1 needs a folder" >&2; exit 2; }
+      if [[ $1 == --visp ]]; then visp=$2; else work=$2; fi
+      shift 2 ;;
+    -h | --help) echo "usage: bash test/in-tree.sh [--visp DIR] [--work DIR]"; exit 0 ;;
+    *) echo "in-tree.sh: unknown argument $1; see --help" >&2; exit 2 ;;
+  esac
+done
+mkdir -p "$work"
+work=$(cd "$work" && pwd)
+# ViSP looks for modules in every folder of the project, its own build folder too.
+case $work/ in
+  "$root"/*) echo "in-tree.sh: $work is inside the project; choose a --work folder outside" >&2; exit 2 ;;
+esac
+
+bash "$root/cmake/install-packages.sh" build test in-tree
+
+# fetch_visp: prints the folder of ViSP's source from the distribution. Sources are looked up in a private copy of the
+# package lists, so that nothing of the system's own set-up changes.
+fetch_visp()
+{
+  local apt=$work/apt file
+  if ! compgen -G "$work/source/visp-*/CMakeLists.txt" >/dev/null; then
+    mkdir -p "$apt/sources" "$apt/lists/partial" "$apt/cache/archives/partial" "$work/source"
+    for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list; do
+      [[ -f $file ]] || continue
+      sed -n 's/^deb /deb-src /p' "$file" > "$apt/sources/$(basename "$file" .list).list"
+    done
+    for file in /etc/apt/sources.list.d/*.sources; do
+      [[ -f $file ]] || continue
+      sed 's/^Types:.*/Types: deb-src/' "$file" > "$apt/sources/$(basename "$file")"
+    done
+    local options=(-q -o "Dir::State::Lists=$apt/lists" -o "Dir::Cache=$apt/cache" -o Dir::Etc::SourceList=/dev/null
+                   -o "Dir::Etc::SourceParts=$apt/sources" -o APT::Sandbox::User=)
+    # A repository without sources is no reason to stop; without ViSP's source the next command fails.
+    apt-get "${options[@]}" update >&2 || true
+    (cd "$work/source" && apt-get "${options[@]}" source visp >&2)
+  fi
+  compgen -G "$work/source/visp-*" | while read -r file; do
+    if [[ -f $file/CMakeLists.txt ]]; then echo "$file"; fi
+  done | tail -n 1
+}
+
+if [[ -z $visp ]]; then
+  visp=$(fetch_visp)
+fi
+[[ -f $visp/modules/core/CMakeLists.txt ]] || { echo "in-tree.sh: no source of ViSP in '$visp'" >&2; exit 1; }
+visp=$(cd "$visp" && pwd)
+build=$work/build-$(basename "$visp")
+echo "ViSP's source: $visp; build: $build"
+
+# Without USE_CXX_STANDARD, ViSP 3.5.0 changes the standard at the second configuration and compiles all again.
+options=(-DCMAKE_BUILD_TYPE=Release -DUSE_CXX_STANDARD=17 "-DVISP_CONTRIB_MODULES_PATH=$root"
+         -DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+         -DBUILD_DEMOS=OFF -DBUILD_JAVA=OFF -DBUILD_TESTS=ON -DBUILD_TUTORIALS=ON -DBUILD_EXAMPLES=ON)
+for module in ar dnn_tracker imgproc java java_bindings_generator klt mbt python python_bindings rbt tt tt_mi; do
+  options+=("-DBUILD_MODULE_visp_$module=OFF")
+done
+
+# configure <log>
+configure()
+{
+  if ! cmake -S "$visp" -B "$build" "${options[@]}" > "$1" 2>&1; then
+    tail -n 40 "$1" >&2
+    echo "in-tree.sh: ViSP could not be configured; all of it is in $1" >&2
+    exit 1
+  fi
+}
+# has_target <name>
+has_target()
+{
+  grep -q "^\.\.\. $1\$" "$work/targets.txt"
+}
+
+configure "$work/configure-1.log"
+# Again, as every later build does: 3.7 and later lose the tutorials of a contrib module here.
+configure "$work/configure-2.log"
+cmake --build "$build" --target help > "$work/targets.txt"
+
+tests=()
+for file in "$root"/modules/*/test/*.cpp; do
+  tests+=("$(basename "$file" .cpp)")
+done
+programs=()
+for file in "$root"/tutorial/circle_marker/* "$root"/example/circle_marker/*; do
+  if [[ $file == *.cpp || -d $file ]]; then
+    name=$(basename "$file" .cpp)
+    [[ " ${programs[*]-} " == *" $name "* ]] || programs+=("$name")
+  fi
+done
+for target in visp_circle_marker visp_circle_marker_simulator "${tests[@]}" "${programs[@]}"; do
+  has_target "$target" || { echo "in-tree.sh: ViSP's build does not know the target $target" >&2; exit 1; }
+done
+
+cmake --build "$build" -j"$(nproc)" --target visp_circle_marker visp_circle_marker_simulator "${tests[@]}" "${programs[@]}"
+
+servo=$(find "$build" -name tutorial-circle-marker-pbvs -type f -perm -u+x | head -n 1)
+[[ -n $servo ]] || { echo "in-tree.sh: tutorial-circle-marker-pbvs was not built" >&2; exit 1; }
+"$servo" --detector both --display-off --output "$work/servo"
+
+pattern=$(IFS='|'; echo "${tests[*]}")
+log=$work/ctest-output.txt
+status=0
+ctest --test-dir "$build" --output-on-failure --no-tests=error -j"$(nproc)" -R "^($pattern)\$" 2>&1 | tee "$log" ||
+  status=$?
+grep -E '^[0-9]+% tests passed' "$log" | tail -n 1 || true
+exit "$status"

@@ -1,0 +1,37 @@
+#############################################################################
+#
+# Circular fiducial markers for ViSP, the Visual Servoing Platform.
+#
+# This software is free software; you can redistribute it and/or modify
+# it under the terms of the GNU General Public License as published by
+# the Free Software Foundation; either version 2 of the License, or
+# (at your option) any later version.
+# See the file LICENSE at the root directory of this source
+# distribution for additional information about the GNU GPL.
+#
+# This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+# WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+#
+# Description:
+# Installs the build, then configures, builds and runs a third party's project against the installation.
+#
+#############################################################################
+
+# cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -P run.cmake
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "failed with ${result}: ${command}")
+  endif()
+endfunction()
+
+# From nothing: a header or a library that the installation forgets must not be left from an earlier run.
+file(REMOVE_RECURSE ${WORK_DIR})
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
+# Moved: nothing installed may point back to where it was installed first.
+file(RENAME ${WORK_DIR}/prefix ${WORK_DIR}/moved)
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK_DIR}/build -D CMAKE_PREFIX_PATH=${WORK_DIR}/moved
+    -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${CXX_COMPILER})
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
+run(${WORK_DIR}/build/install-consumer)
