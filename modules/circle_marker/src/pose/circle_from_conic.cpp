@@ -15,10 +15,11 @@
  * Closed-form position of a circle of known radius from its image conic.
  */
 
-#include "circle_from_conic.h"
+#include "pose/circle_from_conic.h"
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -26,77 +27,12 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-/*!
-  An ellipse (x - center)^T A (x - center) + offset = 0 with A positive definite and offset < 0. Unlike the conic's nine
-  coefficients it keeps the size of a small ellipse far from the image's centre free of cancellation.
-*/
-struct CenteredEllipse
+//! Value of the cone's bilinear form for two directions of the camera frame: a sum without cancellation.
+double coneForm(const CenteredEllipse &ellipse, const Eigen::Vector3d &d, const Eigen::Vector3d &e)
 {
-  Eigen::Matrix2d A;
-  Eigen::Vector2d center;
-  double offset;
-
-  //! Value of the cone's bilinear form for two directions of the camera frame: a sum without cancellation.
-  double form(const Eigen::Vector3d &d, const Eigen::Vector3d &e) const
-  {
-    const Eigen::Vector2d u = d.head<2>() - center * d.z();
-    const Eigen::Vector2d v = e.head<2>() - center * e.z();
-    return u.dot(A * v) + offset * d.z() * e.z();
-  }
-};
-
-/*!
-  Dot product as exact as in doubled precision, then rounded: Dot2 of T. Ogita, S. Rump and S. Oishi, Accurate sum and
-  dot product, SIAM Journal on Scientific Computing 26 (2005).
-*/
-template <std::size_t size> double accurateDot(const std::array<double, size> &x, const std::array<double, size> &y)
-{
-  double sum = 0., error = 0.;
-  for (std::size_t i = 0; i < size; i++) {
-    const double product = x[i] * y[i];
-    const double next = sum + product;
-    const double part = next - sum;
-    error += std::fma(x[i], y[i], -product) + ((sum - (next - part)) + (product - part));
-    sum = next;
-  }
-  return sum + error;
-}
-
-std::optional<CenteredEllipse> centerConic(const Eigen::Matrix3d &Q)
-{
-  const Eigen::Matrix3d symmetric = Q.selfadjointView<Eigen::Upper>();
-  const double scale = symmetric.cwiseAbs().maxCoeff();
-  if (!symmetric.allFinite() || !(scale > 0.)) {
-    return std::nullopt;
-  }
-  // A power of two, so that scaling rounds nothing.
-  const double sign = (symmetric(0, 0) + symmetric(1, 1) < 0.) ? -1. : 1.;
-  const int exponent = std::ilogb(scale);
-  const Eigen::Matrix3d C = symmetric.unaryExpr([=](double c) { return sign * std::scalbn(c, -exponent); });
-
-  CenteredEllipse ellipse;
-  ellipse.A = C.topLeftCorner<2, 2>();
-  const Eigen::Vector2d b = C.topRightCorner<2, 1>();
-  const double det = ellipse.A(0, 0) * ellipse.A(1, 1) - ellipse.A(0, 1) * ellipse.A(0, 1);
-  const double epsilon = std::numeric_limits<double>::epsilon();
-  // A parabola's determinant, computed, is this small: two products rounded once each, and their difference.
-  if (!(det > 2. * epsilon * ellipse.A(0, 0) * ellipse.A(1, 1)) || !(ellipse.A(0, 0) > 0.)) {
-    return std::nullopt;
-  }
-  ellipse.center << (ellipse.A(0, 1) * b(1) - ellipse.A(1, 1) * b(0)) / det,
-      (ellipse.A(0, 1) * b(0) - ellipse.A(0, 0) * b(1)) / det;
-  // The value of the form at the centre, where an error of the centre counts in the second order only; its terms are up
-  // to the square of (distance of the centre / size of the ellipse) larger than their sum.
-  const double cx = ellipse.center.x(), cy = ellipse.center.y();
-  const double gx = accurateDot<3>({C(0, 0), C(0, 1), C(0, 2)}, {cx, cy, 1.});
-  const double gy = accurateDot<3>({C(0, 1), C(1, 1), C(1, 2)}, {cx, cy, 1.});
-  ellipse.offset = accurateDot<5>({C(0, 2), C(1, 2), C(2, 2), gx, gy}, {cx, cy, 1., cx, cy});
-  // A point's offset is this small: half a unit in the last place of each coefficient times its monomial.
-  const double largest = std::fabs(C(0, 2) * cx) + std::fabs(C(1, 2) * cy) + std::fabs(C(2, 2));
-  if (!ellipse.center.allFinite() || !(ellipse.offset < -2. * epsilon * largest)) {
-    return std::nullopt;
-  }
-  return ellipse;
+  const Eigen::Vector2d u = d.head<2>() - ellipse.center * d.z();
+  const Eigen::Vector2d v = e.head<2>() - ellipse.center * e.z();
+  return u.dot(ellipse.A * v) + ellipse.offset * d.z() * e.z();
 }
 
 /*!
@@ -110,9 +46,9 @@ std::optional<Eigen::Vector3d> coneAxis(const CenteredEllipse &ellipse, double &
   const Eigen::Vector3d e1 = sight.unitOrthogonal();
   const Eigen::Vector3d e2 = sight.cross(e1);
   Eigen::Matrix2d A;
-  A(0, 0) = ellipse.form(e1, e1);
-  A(1, 1) = ellipse.form(e2, e2);
-  A(0, 1) = A(1, 0) = ellipse.form(e1, e2);
+  A(0, 0) = coneForm(ellipse, e1, e1);
+  A(1, 1) = coneForm(ellipse, e2, e2);
+  A(0, 1) = A(1, 0) = coneForm(ellipse, e1, e2);
   // The ellipse's own centre has no linear term: only the offset is left of the bilinear form.
   const double q = ellipse.offset * sight.z() * sight.z();
   const Eigen::Vector2d b = ellipse.offset * sight.z() * Eigen::Vector2d(e1.z(), e2.z());
@@ -139,15 +75,17 @@ std::optional<Eigen::Vector3d> coneAxis(const CenteredEllipse &ellipse, double &
 
 std::optional<std::array<CirclePosition, 2>> circlesFromConic(const Eigen::Matrix3d &Q, double radius)
 {
+  const std::optional<CenteredEllipse> ellipse = centerConic(Q);
+  return ellipse ? circlesFromEllipse(*ellipse, radius) : std::nullopt;
+}
+
+std::optional<std::array<CirclePosition, 2>> circlesFromEllipse(const CenteredEllipse &ellipse, double radius)
+{
   if (!(radius > 0.) || !std::isfinite(radius)) {
     return std::nullopt;
   }
-  const std::optional<CenteredEllipse> ellipse = centerConic(Q);
-  if (!ellipse) {
-    return std::nullopt;
-  }
   double lambda3 = 0.;
-  const std::optional<Eigen::Vector3d> axis = coneAxis(*ellipse, lambda3);
+  const std::optional<Eigen::Vector3d> axis = coneAxis(ellipse, lambda3);
   if (!axis) {
     return std::nullopt;
   }
@@ -156,7 +94,7 @@ std::optional<std::array<CirclePosition, 2>> circlesFromConic(const Eigen::Matri
   // where they are nearly equal, that is where the circle is seen along its own axis.
   const Eigen::Vector3d u = axis->unitOrthogonal();
   const Eigen::Vector3d v = axis->cross(u);
-  const double uu = ellipse->form(u, u), vv = ellipse->form(v, v), uv = ellipse->form(u, v);
+  const double uu = coneForm(ellipse, u, u), vv = coneForm(ellipse, v, v), uv = coneForm(ellipse, u, v);
   const double difference = std::hypot(uu - vv, 2. * uv);
   const double lambda1 = 0.5 * (uu + vv + difference);
   const double lambda2 = (uu * vv - uv * uv) / lambda1; // The product of both: no cancellation for a slender ellipse.

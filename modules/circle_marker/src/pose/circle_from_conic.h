@@ -34,8 +34,8 @@
   Q. Chen, H. Wu and T. Wada, Camera calibration with two arbitrary coplanar circles, ECCV 2004, section 3.
 */
 
-#ifndef VP_CIRCLE_FROM_CONIC_H
-#define VP_CIRCLE_FROM_CONIC_H
+#ifndef VP_CIRCLE_MARKER_CIRCLE_FROM_CONIC_H
+#define VP_CIRCLE_MARKER_CIRCLE_FROM_CONIC_H
 
 #include <array>
 #include <optional>
@@ -44,6 +44,8 @@
 
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
 #include <visp3/core/vpHomogeneousMatrix.h>
+
+#include "ellipse/conic.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -72,6 +74,12 @@ struct CirclePosition
   algorithm, limited by the rounding of Q to about 1e-16 / (angle between normal and line of sight) radian.
 */
 std::optional<std::array<CirclePosition, 2>> circlesFromConic(const Eigen::Matrix3d &Q, double radius);
+
+/*!
+  The same from the centred form of the ellipse, which has room for more digits than its conic: exact also for an
+  ellipse whose size is below a millionth of its distance from the image's centre.
+*/
+std::optional<std::array<CirclePosition, 2>> circlesFromEllipse(const CenteredEllipse &ellipse, double radius);
 
 /*!
   Pose of a circle's frame (z-aligned: z away from the camera), its spin set by convention: the marker's x axis is the

@@ -1,0 +1,243 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Fit of an ellipse to points.
+ */
+
+#include "ellipse/fit_conic.h"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/*! The points as given, and the affine map u = W (x - mean) that makes their scatter the unit matrix. */
+struct WhitenedPoints
+{
+  const Eigen::Vector2d *points;
+  std::size_t size;
+  const double *weights;
+  double sumOfWeights;
+  Eigen::Vector2d mean;
+  Eigen::Matrix2d W;
+
+  double weight(std::size_t i) const { return (weights ? weights[i] : 1.) / sumOfWeights; }
+  Eigen::Vector2d at(std::size_t i) const { return W * (points[i] - mean); }
+};
+
+std::optional<WhitenedPoints> whiten(const Eigen::Vector2d *points, std::size_t size, const double *weights)
+{
+  WhitenedPoints whitened{points, size, weights, 1., Eigen::Vector2d::Zero(), Eigen::Matrix2d::Identity()};
+  double sum = 0.;
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < size; i++) {
+    const double w = whitened.weight(i);
+    if (!points[i].allFinite() || !(w >= 0.) || !std::isfinite(w)) {
+      return std::nullopt;
+    }
+    sum += w;
+    used += (w > 0.) ? 1 : 0;
+    whitened.mean += w * points[i];
+  }
+  // An ellipse has five parameters.
+  if (used < 5) {
+    return std::nullopt;
+  }
+  whitened.sumOfWeights = sum;
+  whitened.mean /= sum;
+
+  Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
+  for (std::size_t i = 0; i < size; i++) {
+    const Eigen::Vector2d d = points[i] - whitened.mean;
+    scatter += whitened.weight(i) * d * d.transpose();
+  }
+  // Points on a line: a spread across it below this share of the spread along it is rounding, not shape. The scatter
+  // has the squares of both, so that this is well above the square root of its own rounding, 1.5e-8.
+  const double leastRatio = 1e-7;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
+  eigen.computeDirect(scatter);
+  const double minor = eigen.eigenvalues()(0), major = eigen.eigenvalues()(1);
+  if (!(major > 0.) || !(minor > leastRatio * leastRatio * major) || !std::isfinite(major)) {
+    return std::nullopt;
+  }
+  whitened.W = eigen.eigenvectors().transpose();
+  whitened.W.row(0) /= std::sqrt(minor);
+  whitened.W.row(1) /= std::sqrt(major);
+  return whitened;
+}
+
+//! The monomials of a conic's coefficients.
+Vector6d monomials(const Eigen::Vector2d &u)
+{
+  Vector6d m;
+  m << u.x() * u.x(), u.x() * u.y(), u.y() * u.y(), u.x(), u.y(), 1.;
+  return m;
+}
+
+//! Positive for an ellipse.
+double discriminant(const Vector6d &conic)
+{
+  return 4. * conic(0) * conic(2) - conic(1) * conic(1);
+}
+
+/*!
+  Least algebraic distance under the constraint discriminant = 1. The linear part is eliminated as by Halir and Flusser
+  (equations 23 to 26). In p = (a + c, a - c, b) the discriminant is p0^2 - p1^2 - p2^2, and the condition for the
+  minimum, (R - l diag(1, -1, -1)) p = 0 with R = [alpha, beta^T; beta, Gamma], leaves one unknown:
+  f(l) = alpha - l - beta^T (Gamma + l I)^-1 beta = 0. f is concave, f(0) >= 0 >= f(alpha), and its only root l >= 0 is
+  the ellipse: Newton from alpha converges monotonically, and no eigenvector of an unsymmetric matrix is needed.
+*/
+std::optional<Vector6d> fitDirectly(const WhitenedPoints &points)
+{
+  Matrix6d scatter = Matrix6d::Zero();
+  for (std::size_t i = 0; i < points.size; i++) {
+    const Vector6d m = monomials(points.at(i));
+    scatter.selfadjointView<Eigen::Lower>().rankUpdate(m, points.weight(i));
+  }
+  const Matrix6d S = scatter.selfadjointView<Eigen::Lower>();
+  const Eigen::Matrix3d S2 = S.topRightCorner<3, 3>();
+  // Of whitened points the scatter of (u, v, 1) is the unit matrix, up to rounding.
+  const Eigen::Matrix3d T = -Eigen::Matrix3d(S.bottomRightCorner<3, 3>()).inverse() * S2.transpose();
+  Eigen::Matrix3d toCoefficients; // (a, b, c) from p
+  toCoefficients << 0.5, 0.5, 0., 0., 0., 1., 0.5, -0.5, 0.;
+  const Eigen::Matrix3d R = toCoefficients.transpose() * (S.topLeftCorner<3, 3>() + S2 * T) * toCoefficients;
+
+  double l = R(0, 0);
+  Eigen::Vector2d z = Eigen::Vector2d::Zero();
+  const int maximumIterations = 50; // Quadratic convergence at the end: about ten are used for a short arc.
+  for (int i = 0; i < maximumIterations; i++) {
+    const Eigen::Matrix2d shifted = R.bottomRightCorner<2, 2>() + l * Eigen::Matrix2d::Identity();
+    z = -shifted.inverse() * R.bottomLeftCorner<2, 1>();
+    const double value = R(0, 0) - l + R.bottomLeftCorner<2, 1>().dot(z);
+    const double slope = z.squaredNorm() - 1.;
+    if (!(slope < 0.) || !(value < 0.)) {
+      break;
+    }
+    l -= value / slope;
+  }
+  Vector6d conic;
+  conic.head<3>() = toCoefficients * Eigen::Vector3d(1., z(0), z(1));
+  conic.tail<3>() = T * conic.head<3>();
+  conic.normalize();
+  return (conic.allFinite() && discriminant(conic) > 0.) ? std::optional<Vector6d>(conic) : std::nullopt;
+}
+
+/*! Sum of squared Sampson distances, in the original coordinates, and its normal equations. */
+struct NormalEquations
+{
+  double cost = 0.;
+  Vector6d gradient = Vector6d::Zero();
+  Matrix6d hessian = Matrix6d::Zero();
+};
+
+NormalEquations sampsonEquations(const WhitenedPoints &points, const Vector6d &conic)
+{
+  NormalEquations equations;
+  const Eigen::Matrix2d metric = points.W * points.W.transpose();
+  for (std::size_t i = 0; i < points.size; i++) {
+    const double weight = points.weight(i);
+    const Eigen::Vector2d u = points.at(i);
+    const Vector6d m = monomials(u);
+    const double value = m.dot(conic);
+    const Eigen::Vector2d slope(2. * conic(0) * u.x() + conic(1) * u.y() + conic(3),
+                                conic(1) * u.x() + 2. * conic(2) * u.y() + conic(4));
+    const double length = std::sqrt(slope.dot(metric * slope));
+    if (!(weight > 0.) || !(length > 0.)) {
+      continue;
+    }
+    const double distance = value / length;
+    // Derivative of value / length: that of the length is h . d(slope), with h the metric's unit covector.
+    const Eigen::Vector2d h = metric * slope / length;
+    Vector6d lengthDerivative;
+    lengthDerivative << 2. * u.x() * h.x(), u.y() * h.x() + u.x() * h.y(), 2. * u.y() * h.y(), h.x(), h.y(), 0.;
+    const Vector6d J = (m - distance * lengthDerivative) / length;
+    equations.cost += weight * distance * distance;
+    equations.gradient += weight * distance * J;
+    equations.hessian.selfadjointView<Eigen::Lower>().rankUpdate(J, weight);
+  }
+  return equations;
+}
+
+//! Gauss-Newton on the unit sphere of the coefficients; steps that leave the ellipses or raise the cost are halved.
+Vector6d refine(const WhitenedPoints &points, Vector6d conic)
+{
+  const int maximumIterations = 10;    // Two to four are used on contours, more on short noisy arcs.
+  const int maximumHalvings = 4;       // A sixteenth of a Gauss-Newton step that does not help: at the minimum.
+  const double negligibleStep = 1e-8;  // Of coefficients of order 1; the next step is smaller by far.
+  const double negligibleGain = 1e-13; // Of the cost: below it, comparing costs compares their rounding.
+  NormalEquations equations = sampsonEquations(points, conic);
+  for (int iteration = 0; iteration < maximumIterations; iteration++) {
+    Matrix6d H = equations.hessian.selfadjointView<Eigen::Lower>();
+    // The distance does not depend on the scale of the coefficients: fix that direction.
+    H += H.trace() * conic * conic.transpose();
+    Vector6d step = -H.ldlt().solve(equations.gradient);
+    if (!step.allFinite()) {
+      break;
+    }
+    if (-equations.gradient.dot(step) < negligibleGain * equations.cost) {
+      break;
+    }
+    bool better = false;
+    for (int halving = 0; halving <= maximumHalvings && !better; halving++) {
+      const Vector6d candidate = (conic + step).normalized();
+      if (discriminant(candidate) > 0.) {
+        const NormalEquations next = sampsonEquations(points, candidate);
+        if (next.cost < equations.cost) {
+          conic = candidate;
+          equations = next;
+          better = true;
+          break;
+        }
+      }
+      step *= 0.5;
+    }
+    if (!better || step.norm() < negligibleStep) {
+      break;
+    }
+  }
+  return conic;
+}
+} // namespace
+
+std::optional<Eigen::Matrix3d> fitEllipse(const Eigen::Vector2d *points, std::size_t size, const double *weights)
+{
+  const std::optional<WhitenedPoints> whitened = whiten(points, size, weights);
+  if (!whitened) {
+    return std::nullopt;
+  }
+  const std::optional<Vector6d> start = fitDirectly(*whitened);
+  if (!start) {
+    return std::nullopt;
+  }
+  const Vector6d c = refine(*whitened, *start);
+
+  Eigen::Matrix3d Q;
+  Q << c(0), 0.5 * c(1), 0.5 * c(3), 0.5 * c(1), c(2), 0.5 * c(4), 0.5 * c(3), 0.5 * c(4), c(5);
+  Eigen::Matrix3d T = Eigen::Matrix3d::Identity();
+  T.topLeftCorner<2, 2>() = whitened->W;
+  T.topRightCorner<2, 1>() = -whitened->W * whitened->mean;
+  Q = T.transpose() * Q * T;
+  Q = (0.5 / Q.norm()) * (Q + Q.transpose().eval());
+  // What the rounding of the way back may have made of a hardly visible ellipse is for the caller to refuse too.
+  return centerConic(Q) ? std::optional<Eigen::Matrix3d>(Q) : std::nullopt;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,64 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The plane of a marker seen by a camera.
+ */
+
+#ifndef VP_CIRCLE_MARKER_MARKER_PLANE_H
+#define VP_CIRCLE_MARKER_MARKER_PLANE_H
+
+#include <cmath>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "pose/circle_from_conic.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*!
+  Pose of a marker, z-aligned (x right, y down, z into the marker), with the ring's outer radius as unit of length in
+  its plane: the point q of the plane is centre + radius (q.x ex + q.y ey) in the camera frame, metres.
+*/
+struct MarkerPlane
+{
+  Eigen::Vector3d center;   //!< Origin of the marker frame, metres.
+  Eigen::Matrix3d rotation; //!< Columns ex, ey and the normal away from the camera.
+  double radius = 0.;       //!< Outer radius of the ring, metres.
+
+  /*! Normalised coordinates of the image of a point of the plane. */
+  Eigen::Vector2d project(const Eigen::Vector2d &q) const
+  {
+    const Eigen::Vector3d p = center + radius * (rotation.leftCols<2>() * q);
+    return p.head<2>() / p.z();
+  }
+
+  /*! The point of the plane whose image is \e meter, in normalised coordinates. */
+  Eigen::Vector2d intersect(const Eigen::Vector2d &meter) const
+  {
+    const Eigen::Vector3d ray(meter.x(), meter.y(), 1.);
+    const double depth = rotation.col(2).dot(center) / rotation.col(2).dot(ray);
+    return rotation.leftCols<2>().transpose() * (depth * ray - center) / radius;
+  }
+
+  /*! Turns the marker about its normal, rad, positive from x to y. */
+  void spin(double angle)
+  {
+    rotation = rotation * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  }
+};
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
