@@ -1,0 +1,50 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Identity and spin of a marker from its code track.
+ */
+
+#ifndef VP_CIRCLE_MARKER_IDENTIFY_H
+#define VP_CIRCLE_MARKER_IDENTIFY_H
+
+#include <optional>
+
+#include "decode/sector_reading.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+/*! How strictly a code is read. */
+struct DecodeSettings
+{
+  unsigned int maximumHamming = 2; //!< Most sectors that are corrected.
+  double minimumMargin = 0.35;     //!< Least mean agreement of the soft values with the codeword.
+};
+
+/*! A marker's code, read. */
+struct CodeReading
+{
+  int id = -1;              //!< Identity in the family.
+  unsigned int hamming = 0; //!< Number of sectors that were corrected.
+  double margin = 0.;       //!< Mean agreement of the soft values with the codeword, in [-1, 1].
+  double spin = 0.;         //!< Angle from the plane's x axis to the marker's own, rad, positive toward y.
+};
+
+/*! The marker whose code is nearest to a reading; nothing if none is near enough, or the reading is no code. */
+std::optional<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerFamily &family,
+                                    const DecodeSettings &settings);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

@@ -1,0 +1,102 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What marker an outline belongs to, before its pose is refined.
+ */
+
+#include "decode/recognise.h"
+
+#include <cmath>
+
+#include "decode/radial_profile.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+namespace
+{
+// The radial profile of a blurred thin ring keeps this share of the step across the outline.
+constexpr double shareOfContrast = 0.3;
+// A ring whose measured inner radius is this near to the family's own is taken for one of that family's ratio; the
+// profile of a ring of 20 pixels is good to 0.03.
+constexpr double sameRatio = 0.04;
+
+// Turns the second pose so that its x axis has the image direction of the first pose's x axis.
+void copySpin(const MarkerPlane &from, MarkerPlane &to)
+{
+  const Eigen::Vector2d onTo = to.intersect(from.project(Eigen::Vector2d(1., 0.)));
+  to.spin(std::atan2(onTo.y(), onTo.x()));
+}
+
+std::optional<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                         const PosePair &poses, const vpCircleMarkerFamily &family,
+                                         const DecodeSettings &settings)
+{
+  std::array<std::optional<CodeReading>, 2> codes;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (const auto sectors = readSectors(I, camera, poses[i], family)) {
+      codes[i] = identify(*sectors, family, settings);
+    }
+  }
+  if (!codes[0] && !codes[1]) {
+    return std::nullopt;
+  }
+  const std::size_t best = !codes[1] || (codes[0] && codes[0]->margin >= codes[1]->margin) ? 0 : 1;
+  const std::size_t other = 1 - best;
+  Recognition result;
+  result.family = family;
+  result.code = *codes[best];
+  result.ringInner = family.getLayout().ringInner;
+  result.poses = poses;
+  result.poses[best].spin(codes[best]->spin);
+  if (codes[other] && codes[other]->id == codes[best]->id) {
+    result.poses[other].spin(codes[other]->spin);
+  }
+  else {
+    copySpin(result.poses[best], result.poses[other]);
+  }
+  return result;
+}
+
+std::optional<Recognition> recogniseShape(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                          const PosePair &poses, double contrast, const vpCircleMarkerFamily &family)
+{
+  const auto profile = radialProfile(I, camera, poses[0]);
+  if (!profile) {
+    return std::nullopt;
+  }
+  const auto inner = innerRadius(*profile, shareOfContrast * contrast);
+  const bool isDisc = inner && *inner == 0.;
+  if (!inner || isDisc != (family.getType() == vpCircleMarkerFamily::DISC)) {
+    return std::nullopt;
+  }
+  Recognition result;
+  result.family = family;
+  result.code.margin = 1.;
+  const double nominal = family.getLayout().ringInner;
+  result.ringInner = std::abs(*inner - nominal) < sameRatio ? nominal : *inner;
+  result.poses = poses;
+  return result;
+}
+} // namespace
+
+std::optional<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
+                                     double contrast, const vpCircleMarkerFamily &family,
+                                     const DecodeSettings &settings)
+{
+  return family.isCoded() ? recogniseCode(I, camera, poses, family, settings)
+                          : recogniseShape(I, camera, poses, contrast, family);
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,53 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What marker an outline belongs to, before its pose is refined.
+ */
+
+#ifndef VP_CIRCLE_MARKER_RECOGNISE_H
+#define VP_CIRCLE_MARKER_RECOGNISE_H
+
+#include <optional>
+
+#include "decode/identify.h"
+#include "pose/hypotheses.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+/*! A recognised marker: its code, if it has one, and its poses with the spin set by the code. */
+struct Recognition
+{
+  vpCircleMarkerFamily family;
+  CodeReading code;       //!< id -1 without a code.
+  double ringInner = 0.8; //!< Inner radius of the ring, in units of the outer radius; 0 for a disc.
+  PosePair poses;
+};
+
+/*!
+  Tells whether an outline with two possible poses is a marker of a family, and which.
+  \param I : The image.
+  \param camera : Its camera.
+  \param poses : Both poses of the outline.
+  \param contrast : Step across the outline, grey levels.
+  \param family : The family.
+  \param settings : How strictly a code is read.
+*/
+std::optional<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
+                                     double contrast, const vpCircleMarkerFamily &family,
+                                     const DecodeSettings &settings);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

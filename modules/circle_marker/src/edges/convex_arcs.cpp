@@ -1,0 +1,88 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Convex arcs cut from chains of edge points.
+ */
+
+#include "edges/convex_arcs.h"
+
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+namespace
+{
+// Chords over which the bend is measured, points. Two chords of 5 pixels with points good to 0.1 pixel give an angle
+// good to 0.03 rad.
+constexpr std::size_t chord = 5;
+// A bend the wrong way of more than this, rad, ends an arc: five times the angle's noise.
+constexpr double concaveBend = -0.15;
+// A sharper bend than this, rad, is a corner: an arc of radius 5 pixels bends by 1.
+constexpr double cornerBend = 1.1;
+// Shorter arcs, or arcs that bend less in all, do not fix an ellipse.
+constexpr std::size_t fewestPoints = 16;
+constexpr double leastTurn = 0.9;
+
+double bendAt(const std::vector<EdgePoint> &points, std::size_t i)
+{
+  const Eigen::Vector2d before = points[i].position - points[i - chord].position;
+  const Eigen::Vector2d after = points[i + chord].position - points[i].position;
+  return std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+}
+} // namespace
+
+double doubledArea(const std::vector<EdgePoint> &points)
+{
+  if (points.empty()) {
+    return 0.;
+  }
+  double area = 0.;
+  Eigen::Vector2d previous = points.back().position - points.front().position;
+  for (const EdgePoint &point : points) {
+    const Eigen::Vector2d here = point.position - points.front().position;
+    area += previous.x() * here.y() - previous.y() * here.x();
+    previous = here;
+  }
+  return area;
+}
+
+void cutConvexArcs(const std::vector<EdgePoint> &points, std::vector<std::pair<std::size_t, std::size_t>> &arcs)
+{
+  arcs.clear();
+  const std::size_t n = points.size();
+  if (n < fewestPoints) {
+    return;
+  }
+  std::size_t begin = 0;
+  double turn = 0.;
+  const auto endArc = [&](std::size_t end) {
+    if (end >= begin + fewestPoints && turn >= leastTurn) {
+      arcs.emplace_back(begin, end);
+    }
+  };
+  for (std::size_t i = chord; i + chord < n; ++i) {
+    const double bend = bendAt(points, i);
+    if (bend < concaveBend || bend > cornerBend) {
+      endArc(i);
+      begin = i + 1;
+      turn = 0.;
+      continue;
+    }
+    turn += bend / static_cast<double>(chord); // each bend is seen by as many overlapping pairs of chords
+  }
+  endArc(n);
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

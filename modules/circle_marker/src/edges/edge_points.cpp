@@ -1,0 +1,118 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Edge points located to a fraction of a pixel.
+ */
+
+#include "edges/edge_points.h"
+
+#include <cmath>
+#include <cstdlib>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+namespace
+{
+// Cosine of the largest angle between an edge's normal and the direction it is searched along: 60 degrees.
+constexpr double leastCosine = 0.5;
+
+bool inside(const Gradient &gradient, int x, int y, int margin)
+{
+  return x >= margin && y >= margin && x < gradient.dx.cols - margin && y < gradient.dx.rows - margin;
+}
+
+double component(const Gradient &gradient, int x, int y, const Eigen::Vector2d &direction)
+{
+  return gradient.dx.at<short>(y, x) * direction.x() + gradient.dy.at<short>(y, x) * direction.y();
+}
+
+} // namespace
+
+std::optional<EdgePoint> locateEdge(const Gradient &gradient, int x, int y)
+{
+  constexpr int margin = 3; // the parabola's three pixels, one pixel of search and the image's outermost pixel
+  if (!inside(gradient, x, y, margin)) {
+    return std::nullopt;
+  }
+  const Eigen::Vector2d normal = Eigen::Vector2d(gradient.dx.at<short>(y, x), gradient.dy.at<short>(y, x)).normalized();
+  const int ax = std::abs(normal.x()) >= std::abs(normal.y()) ? 1 : 0;
+  const int ay = 1 - ax;
+  // The component along this edge's own normal, so that the opposite edge of a thin line does not count.
+  double before = component(gradient, x - ax, y - ay, normal);
+  double here = component(gradient, x, y, normal);
+  double after = component(gradient, x + ax, y + ay, normal);
+  if (before > here && before >= after) {
+    x -= ax;
+    y -= ay;
+    after = here;
+    here = before;
+    before = component(gradient, x - ax, y - ay, normal);
+  }
+  else if (after > here) {
+    x += ax;
+    y += ay;
+    before = here;
+    here = after;
+    after = component(gradient, x + ax, y + ay, normal);
+  }
+  const double curvature = before - 2. * here + after;
+  if (before > here || after > here || curvature >= 0. || here < gradient.continueAbove) {
+    return std::nullopt;
+  }
+  const double offset = 0.5 * (before - after) / curvature;
+  EdgePoint point;
+  point.position = Eigen::Vector2d(x + offset * ax, y + offset * ay);
+  point.normal = Eigen::Vector2d(gradient.dx.at<short>(y, x), gradient.dy.at<short>(y, x)).normalized();
+  return point;
+}
+
+void locateChain(const Gradient &gradient, const EdgeChains &chains, const EdgeChain &chain,
+                 std::vector<EdgePoint> &points)
+{
+  for (std::size_t i = chain.begin; i < chain.end; ++i) {
+    const EdgePixel pixel = chains.pixels[i];
+    if (const auto point = locateEdge(gradient, pixel.x, pixel.y)) {
+      points.push_back(*point);
+    }
+  }
+}
+
+std::optional<EdgePoint> searchEdge(const Gradient &gradient, const Eigen::Vector2d &position,
+                                    const Eigen::Vector2d &direction, double reach)
+{
+  const int steps = static_cast<int>(std::ceil(reach));
+  double strongest = gradient.continueAbove;
+  int bestX = -1;
+  int bestY = -1;
+  for (int step = -steps; step <= steps; ++step) {
+    const int x = static_cast<int>(std::lround(position.x() + step * direction.x()));
+    const int y = static_cast<int>(std::lround(position.y() + step * direction.y()));
+    if (!inside(gradient, x, y, 3)) {
+      continue;
+    }
+    const double along = component(gradient, x, y, direction);
+    if (along > strongest && along * along > leastCosine * leastCosine * gradient.squaredMagnitude(x, y)) {
+      strongest = along;
+      bestX = x;
+      bestY = y;
+    }
+  }
+  if (bestX < 0) {
+    return std::nullopt;
+  }
+  return locateEdge(gradient, bestX, bestY);
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

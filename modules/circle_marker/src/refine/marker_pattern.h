@@ -1,0 +1,76 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The print of a marker, as its model of the image needs it.
+ */
+
+#ifndef VP_CIRCLE_MARKER_MARKER_PATTERN_H
+#define VP_CIRCLE_MARKER_MARKER_PATTERN_H
+
+#include <array>
+#include <cstdint>
+
+#include <visp3/circle_marker/vpCircleMarkerFamily.h>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+/*! An edge between white and black that is a circle about the marker's centre. */
+struct RadialEdge
+{
+  double radius;    //!< In units of the ring's outer radius.
+  double blackSide; //!< 1 if black is inside the circle, -1 if it is outside.
+};
+
+/*! What is printed: black between radii, and black sectors of the code track. Unit: the ring's outer radius. */
+struct MarkerPattern
+{
+  std::array<RadialEdge, 2> ring {}; //!< Edges of the ring; a disc has the first alone.
+  unsigned int ringEdges = 0;        //!< Their number.
+  std::array<RadialEdge, 2> track {}; //!< Outer and inner edge of the code track.
+  unsigned int sectors = 0;          //!< Number of sectors of the track; 0 without a code.
+  std::uint32_t word = 0;            //!< Black sectors; sector 0 is the most significant of the bits.
+
+  bool isBlack(int sector) const
+  {
+    const int n = static_cast<int>(sectors);
+    const int k = ((sector % n) + n) % n;
+    return (word >> (n - 1 - k)) & 1U;
+  }
+};
+
+/*!
+  The pattern of a marker.
+  \param family : Family of the marker.
+  \param id : Identity; not used without a code.
+  \param ringInner : Inner radius of the ring, for a ring whose ratio was measured.
+*/
+inline MarkerPattern patternOf(const vpCircleMarkerFamily &family, int id, double ringInner)
+{
+  MarkerPattern pattern;
+  pattern.ring[pattern.ringEdges++] = {1., 1.};
+  if (ringInner > 0.) {
+    pattern.ring[pattern.ringEdges++] = {ringInner, -1.};
+  }
+  if (family.isCoded()) {
+    pattern.track = {RadialEdge {family.getLayout().codeOuter, 1.}, RadialEdge {family.getLayout().codeInner, -1.}};
+    pattern.sectors = family.getNbSectors();
+    pattern.word = family.getCodeword(id);
+  }
+  return pattern;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

@@ -1,0 +1,83 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Maximum-likelihood pose of a marker from the grey levels around its edges.
+ */
+
+/*!
+  \file maximum_likelihood.h
+  \brief Maximum-likelihood pose of a marker from the grey levels around its edges.
+
+  The grey level of a pixel is modelled as
+  \f[ I = L \, (1 - \kappa D), \quad L = l_0 + l_u u + l_v v, \f]
+  with D the share of black (image_model.h), L the light on white paper, with a linear gradient, and \f$ \kappa \f$ the
+  contrast of the ink. Pose, light, contrast, blur and a growth of black common to all edges (gamma, ink spread) are
+  fitted together by Levenberg-Marquardt; what the model does not explain, such as an occluder, gets no weight (Tukey's
+  biweight). The noise is taken from the residuals, so that the covariance is right for any camera:
+  \f$ \Sigma = s^2 (J^T W J)^{-1} \f$, its rows and columns of the pose.
+*/
+
+#ifndef VP_CIRCLE_MARKER_MAXIMUM_LIKELIHOOD_H
+#define VP_CIRCLE_MARKER_MAXIMUM_LIKELIHOOD_H
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "refine/fit_pixels.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+/*! Light, contrast and blur of a marker's image. */
+struct Photometry
+{
+  double light = 200.;                                      //!< Grey level of white paper at the marker's centre.
+  Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero();  //!< Its change over the marker's size, grey levels.
+  double contrast = 0.8;                                    //!< 1 - black / white.
+  BlurParameters blur;
+};
+
+/*! A fitted pose. */
+struct FittedPose
+{
+  MarkerPlane plane;
+  Photometry photometry;
+  double squares = 0.;     //!< Sum of squared residuals, robust, grey levels^2.
+  double noise = 0.;       //!< Standard deviation of the residuals that count, grey levels.
+  double inliers = 0.;     //!< Share of the pixels that count, in [0, 1].
+  double correlation = 0.; //!< Between model and image, in [-1, 1].
+  Eigen::Matrix<double, 6, 6> covariance; //!< Of (t, w) as in image_model.h.
+};
+
+/*! What is fitted. */
+struct FitSettings
+{
+  bool spinIsKnown = true; //!< Whether the code fixes the spin: else it stays as it is.
+  bool growth = true;      //!< Whether black may be larger than designed.
+  int mostIterations = 25; //!< Levenberg-Marquardt steps; 0 only evaluates the start.
+};
+
+/*! Refines a pose; nothing if the start explains nothing of the image or the equations are singular. */
+std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const MarkerPlane &start,
+                                  const MarkerPattern &pattern, const FitSettings &settings);
+
+/*! Sum of squared residuals with Tukey's biweight at a given noise, so that two fits can be compared. */
+double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
+                     double noise);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

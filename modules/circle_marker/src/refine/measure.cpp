@@ -1,0 +1,91 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Both poses of a recognised marker, refined and weighed against each other.
+ */
+
+#include "refine/measure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+namespace
+{
+// A marker's image agrees with its model to better than this correlation, even with noise of a third of the contrast;
+// without refinement the start is worth less.
+constexpr double leastCorrelation = 0.85;
+constexpr double leastCorrelationUnrefined = 0.6;
+// Share of the pixels that the model must explain.
+constexpr double leastInliers = 0.5;
+// Two fits closer than this, in standard deviations, are one pose.
+constexpr double samePose = 0.3;
+
+bool isSamePose(const FittedPose &p, const FittedPose &q)
+{
+  const Eigen::Vector3d turn = 0.5 * (p.plane.rotation.col(2).cross(q.plane.rotation.col(2)));
+  const Eigen::Matrix3d covariance = p.covariance.bottomRightCorner<3, 3>() +
+                                     1e-12 * Eigen::Matrix3d::Identity(); // the held spin leaves it singular
+  const double squared = 4. * turn.dot(covariance.inverse() * turn);
+  return p.plane.rotation.col(2).dot(q.plane.rotation.col(2)) > 0. && squared < samePose * samePose;
+}
+} // namespace
+
+std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                   const Recognition &marker, bool refine, std::vector<FitPixel> &pixels)
+{
+  const MarkerPattern pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
+  selectPixels(I, camera, marker.poses.data(), marker.poses.size(), pattern, marker.family.getLayout().quietZone,
+               pixels);
+  FitSettings settings;
+  settings.spinIsKnown = pattern.sectors > 0;
+  settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
+  settings.mostIterations = refine ? settings.mostIterations : 0;
+  std::vector<FittedPose> fits;
+  for (const MarkerPlane &start : marker.poses) {
+    if (const auto fit = fitPose(pixels, start, pattern, settings)) {
+      fits.push_back(*fit);
+    }
+  }
+  if (fits.empty()) {
+    return std::nullopt;
+  }
+  // Both are judged by the noise of the one that explains the image better.
+  double noise = HUGE_VAL;
+  for (const FittedPose &fit : fits) {
+    noise = std::min(noise, fit.noise);
+  }
+  for (FittedPose &fit : fits) {
+    fit.squares = robustSquares(pixels, fit, pattern, noise);
+  }
+  std::sort(fits.begin(), fits.end(), [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; });
+  const double least = refine ? leastCorrelation : leastCorrelationUnrefined;
+  if (fits[0].correlation < least || fits[0].inliers < leastInliers) {
+    return std::nullopt;
+  }
+  Measurement result;
+  result.first = fits[0];
+  result.cost = fits[0].squares / (2. * noise * noise);
+  if (fits.size() > 1 && !isSamePose(fits[0], fits[1])) {
+    result.second = fits[1];
+    result.cost2 = fits[1].squares / (2. * noise * noise);
+  }
+  return result;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,53 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Both poses of a recognised marker, refined and weighed against each other.
+ */
+
+#ifndef VP_CIRCLE_MARKER_MEASURE_H
+#define VP_CIRCLE_MARKER_MEASURE_H
+
+#include <optional>
+#include <vector>
+
+#include "decode/recognise.h"
+#include "refine/maximum_likelihood.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+/*! The poses of a marker, the likelier first. */
+struct Measurement
+{
+  FittedPose first;
+  std::optional<FittedPose> second; //!< Nothing if both starts lead to the same pose.
+  double cost = 0.;                 //!< Negative log-likelihood of the first, up to a constant common to both.
+  double cost2 = HUGE_VAL;          //!< And of the second.
+};
+
+/*!
+  Refines both poses of a marker on the image and compares how well they explain it.
+  \param I : The image.
+  \param camera : Its camera.
+  \param marker : The marker, with the poses to start from.
+  \param refine : Whether to move the poses, or only to evaluate them.
+  \param pixels : Working memory.
+  \return Nothing if the image does not look like the marker after all.
+*/
+std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                   const Recognition &marker, bool refine, std::vector<FitPixel> &pixels);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

@@ -1,0 +1,43 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * From the refined planes of a marker to the detection a user sees.
+ */
+
+#ifndef VP_CIRCLE_MARKER_REPORT_H
+#define VP_CIRCLE_MARKER_REPORT_H
+
+#include "refine/measure.h"
+
+#include <visp3/circle_marker/vpCircleMarkerDetection.h>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+/*!
+  Puts a measurement into the user's conventions: frames, covariance in the camera frame, image of the marker.
+  \param marker, measurement : What was recognised and measured.
+  \param camera : The camera.
+  \param visible : Share of the outer edge that was seen.
+  \param zAligned : Whether the marker's z axis points away from the camera.
+*/
+vpCircleMarkerDetection reportOf(const Recognition &marker, const Measurement &measurement, const CameraModel &camera,
+                                 double visible, bool zAligned);
+
+/*! Points along the image of the ring's outer edge, pixels. */
+std::vector<vpImagePoint> outlineOf(const MarkerPlane &plane, const CameraModel &camera, unsigned int count);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

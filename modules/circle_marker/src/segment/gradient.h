@@ -1,0 +1,63 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Image gradient with a threshold that follows the image noise.
+ */
+
+#ifndef VP_CIRCLE_MARKER_GRADIENT_H
+#define VP_CIRCLE_MARKER_GRADIENT_H
+
+#include <opencv2/core.hpp>
+
+#include <visp3/circle_marker/vpConfigCircleMarker.h>
+#include <visp3/core/vpImage.h>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+/*!
+  Sobel gradient of an image (3 x 3, unnormalised: a step of s grey levels gives up to 4 s) and the magnitudes from
+  which a pixel counts as an edge. The gradient points to the brighter side.
+*/
+struct Gradient
+{
+  cv::Mat dx;            //!< Derivative along u, CV_16S.
+  cv::Mat dy;            //!< Derivative along v, CV_16S.
+  double noise = 0.;     //!< Standard deviation of the image noise, grey levels.
+  int startAt = 0;       //!< An edge chain starts at a pixel whose gradient magnitude is at least this.
+  int continueAbove = 0; //!< An edge chain goes on over pixels whose gradient magnitude is at least this.
+
+  int squaredMagnitude(int x, int y) const
+  {
+    const int gx = dx.at<short>(y, x);
+    const int gy = dy.at<short>(y, x);
+    return gx * gx + gy * gy;
+  }
+};
+
+/*!
+  Standard deviation of the noise of an image, grey levels: median absolute response to the difference of two
+  Laplacians, which is blind to planes and straight edges (Immerkaer, "Fast noise variance estimation", 1996; the
+  median in place of his mean keeps it from rising with texture).
+*/
+double estimateNoise(const cv::Mat &image);
+
+/*!
+  Fills \e gradient from \e I. Its memory is used again from call to call.
+*/
+void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

@@ -1,0 +1,52 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Grey level between pixels.
+ */
+
+#ifndef VP_CIRCLE_MARKER_BILINEAR_H
+#define VP_CIRCLE_MARKER_BILINEAR_H
+
+#include <cmath>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include <visp3/circle_marker/vpConfigCircleMarker.h>
+#include <visp3/core/vpImage.h>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+/*!
+  Grey level of an image between its pixel centres, by bilinear interpolation; nothing outside of the image
+  (vpImage::getValue() takes the nearest pixel at the image's rim and is half as fast).
+*/
+inline std::optional<double> bilinear(const vpImage<unsigned char> &I, const Eigen::Vector2d &pixel)
+{
+  const double u = std::floor(pixel.x());
+  const double v = std::floor(pixel.y());
+  if (!(u >= 0. && v >= 0. && u + 1. < I.getWidth() && v + 1. < I.getHeight())) {
+    return std::nullopt;
+  }
+  const double s = pixel.x() - u;
+  const double t = pixel.y() - v;
+  const unsigned char *above = I[static_cast<unsigned int>(v)] + static_cast<unsigned int>(u);
+  const unsigned char *below = above + I.getWidth();
+  return (1. - t) * ((1. - s) * above[0] + s * above[1]) + t * ((1. - s) * below[0] + s * below[1]);
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

@@ -1,0 +1,49 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Settings of the circular marker detector.
+ */
+
+#ifndef VP_CIRCLE_MARKER_DETECTOR_SETTINGS_H
+#define VP_CIRCLE_MARKER_DETECTOR_SETTINGS_H
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "decode/identify.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+/*! All that a user can set. */
+struct DetectorSettings
+{
+  std::vector<vpCircleMarkerFamily> families; //!< Families looked for.
+  std::map<int, double> sizes;                //!< Sizes of single markers, metres, by id.
+  DecodeSettings decode;                      //!< How strictly codes are read.
+  bool refinePose = true;                     //!< Whether poses are refined on the grey levels.
+  bool zAlignedWithCameraAxis = false;        //!< Marker frame: z into the marker rather than toward the camera.
+  unsigned int threads = 1;                   //!< Number of threads.
+};
+
+/*! Reads settings from a JSON file; what it does not name stays as in \e settings. */
+DetectorSettings readSettings(const std::string &filename, const DetectorSettings &settings);
+
+/*! Writes settings to a JSON file, whole or not at all. */
+void writeSettings(const std::string &filename, const DetectorSettings &settings);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
