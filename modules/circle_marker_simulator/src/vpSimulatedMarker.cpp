@@ -1,0 +1,190 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * A printed marker in a simulated scene.
+ */
+
+#include <cmath>
+
+#include <visp3/core/vpException.h>
+
+#include <visp3/circle_marker_simulator/vpSimulatedMarker.h>
+
+#include "april_tag_36h11.h"
+#include "marker_codes.h"
+
+BEGIN_VISP_NAMESPACE
+
+namespace {
+
+// Default print: a ring of 180 mm on a square of 210 mm, that is a margin of a sixth of the ring's radius.
+constexpr double DEFAULT_QUIET_ZONE = 1. / 6.;
+// Ratio of the coded families' ring: black from 0.80 to 1.00 of the outer radius.
+constexpr double CODED_RING_RATIO = 0.80;
+// Plain ring, when no other ratio is asked for: the one of the thesis this project began with.
+constexpr double PLAIN_RING_RATIO = 0.70;
+// Half of the narrowest white sector (31 sectors, inner radius of the track 0.4) is 0.0405 of the radius.
+constexpr double MOST_INK_SPREAD = 0.02;
+
+} // namespace
+
+vpSimulatedMarker::vpSimulatedMarker(const std::string &family, int id, double width, double height)
+    : m_family(family), m_id(id), m_size(width), m_height(height), m_sheetWidth(width), m_sheetHeight(height)
+{
+  if (!(width > 0.) || !(height > 0.) || !std::isfinite(width) || !std::isfinite(height)) {
+    throw vpException(vpException::badValue, "a marker of %g m by %g m cannot be printed: sizes must be positive",
+                      width, height);
+  }
+}
+
+/*!
+  A circular marker on a square sheet with the default quiet zone.
+
+  \param family : "golay23", "bch31", "bch31r", "ring" (ratio 0.7) or "disc".
+  \param id : number of the marker; not used (-1) by ring and disc.
+  \param size : outer diameter of the black ring, in metres.
+  \exception vpException::badValue : unknown family or id, size not positive.
+*/
+vpSimulatedMarker vpSimulatedMarker::circle(const std::string &family, int id, double size)
+{
+  if (family == "ring") {
+    return ring(size, PLAIN_RING_RATIO);
+  }
+  if (family == "disc") {
+    return disc(size);
+  }
+  const std::vector<std::uint32_t> &words = marker_simulator::representativesOf(family);
+  if (id < 0 || id >= static_cast<int>(words.size())) {
+    throw vpException(vpException::badValue, "family %s has the ids 0 to %d, not %d", family.c_str(),
+                      static_cast<int>(words.size()) - 1, id);
+  }
+  vpSimulatedMarker marker(family, id, size, size);
+  marker.m_ringRatio = CODED_RING_RATIO;
+  marker.m_sectors = sectors(family);
+  marker.m_codeword = words[id];
+  return marker.setQuietZone(DEFAULT_QUIET_ZONE);
+}
+
+/*!
+  A plain ring.
+
+  \param size : outer diameter, in metres.
+  \param ratio : inner over outer diameter, from 0 (a disc) to less than 1.
+*/
+vpSimulatedMarker vpSimulatedMarker::ring(double size, double ratio)
+{
+  if (!(ratio >= 0. && ratio < 1.)) {
+    throw vpException(vpException::badValue, "a ring's ratio of inner to outer diameter is in [0, 1), not %g", ratio);
+  }
+  vpSimulatedMarker marker("ring", -1, size, size);
+  marker.m_ringRatio = ratio;
+  return marker.setQuietZone(DEFAULT_QUIET_ZONE);
+}
+
+/*! A filled disc of the given diameter, in metres. */
+vpSimulatedMarker vpSimulatedMarker::disc(double size)
+{
+  return vpSimulatedMarker("disc", -1, size, size).setQuietZone(DEFAULT_QUIET_ZONE);
+}
+
+/*!
+  An AprilTag of the family 36h11 with a white border of one cell (an eighth of the size).
+
+  \param id : 0 to 9.
+  \param size : side of the black square, in metres, which is the size that vpDetectorAprilTag wants.
+*/
+vpSimulatedMarker vpSimulatedMarker::aprilTag36h11(int id, double size)
+{
+  vpSimulatedMarker marker("36h11", id, size, size);
+  marker.m_picture = marker_simulator::aprilTagCells(id);
+  return marker.setSheetSide(size * 10. / 8.);
+}
+
+/*!
+  Any picture, printed from edge to edge: each of its pixels becomes a rectangle of one grey.
+
+  \param picture : 0 is ink, 255 is paper.
+  \param width, height : size of the print, in metres.
+*/
+vpSimulatedMarker vpSimulatedMarker::bitmap(const vpImage<unsigned char> &picture, double width, double height)
+{
+  if (picture.getSize() == 0) {
+    throw vpException(vpException::badValue, "an empty picture cannot be printed");
+  }
+  vpSimulatedMarker marker("bitmap", -1, width, height);
+  marker.m_picture = picture;
+  return marker;
+}
+
+/*! Words of a coded family in the order of the ids, sector 0 the most significant bit, as printed. */
+std::vector<std::uint32_t> vpSimulatedMarker::codewords(const std::string &family)
+{
+  return marker_simulator::representativesOf(family);
+}
+
+/*! Number of sectors of a family's code track, 0 without a code. */
+unsigned int vpSimulatedMarker::sectors(const std::string &family)
+{
+  const auto code = marker_simulator::codeOf(family);
+  return code ? code->length : 0;
+}
+
+/*! Sets the pose in the camera frame (z into the marker, lengths in metres). */
+vpSimulatedMarker &vpSimulatedMarker::setPose(const vpHomogeneousMatrix &cMo)
+{
+  m_cMo = cMo;
+  return *this;
+}
+
+/*!
+  Sets the width of white paper around the marker in units of half its size (the ring's outer radius): the sheet is a
+  square of side size (1 + quietZone).
+*/
+vpSimulatedMarker &vpSimulatedMarker::setQuietZone(double quietZone)
+{
+  return setSheetSide(m_size * (1. + quietZone));
+}
+
+/*! Sets the side of the square white sheet, in metres; it is centred on the marker and not smaller than it. */
+vpSimulatedMarker &vpSimulatedMarker::setSheetSide(double side)
+{
+  if (!(side >= m_size) || !(side >= m_height)) {
+    throw vpException(vpException::badValue, "a sheet of %g m is too small for a marker of %g m by %g m", side, m_size,
+                      m_height);
+  }
+  m_sheetWidth = side;
+  m_sheetHeight = side;
+  return *this;
+}
+
+/*!
+  Sets how far ink has spread: every black edge lies this much further out, in metres; negative for ink that is too
+  thin. Only for circular markers and AprilTags.
+*/
+vpSimulatedMarker &vpSimulatedMarker::setInkSpread(double spread)
+{
+  if (m_family == "bitmap") {
+    throw vpException(vpException::badValue, "ink spread is for circular markers and tags, not for bitmaps");
+  }
+  if (!(std::fabs(spread) <= MOST_INK_SPREAD * m_size)) {
+    throw vpException(vpException::badValue,
+                      "an ink spread of %g m would close or dissolve the cells of a marker of "
+                      "%g m: at most %g m",
+                      spread, m_size, MOST_INK_SPREAD * m_size);
+  }
+  m_inkSpread = spread;
+  return *this;
+}
+
+END_VISP_NAMESPACE
