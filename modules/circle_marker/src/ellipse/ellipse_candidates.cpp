@@ -41,6 +41,9 @@ constexpr double leastSupport = 0.5;
 // Points along a completed outline: one a pixel, no more than 256 (enough to start the refinement from).
 constexpr int fewestSamples = 24;
 constexpr int mostSamples = 256;
+// Share of an outline's points that is kept when it does not fit as a whole, and how often the choice is made again.
+constexpr double trimmedShare = 0.75;
+constexpr int trimmingPasses = 4;
 // Two ellipses are one outline if centres and axes agree to this share of the minor semi-axis (and a pixel).
 constexpr double sameOutline = 0.1;
 
@@ -166,7 +169,10 @@ public:
       return EllipseReject::NOT_AN_ELLIPSE;
     }
     if (rootMeanSquareDistance(*candidate, points, count) > tolerance(candidate->ellipse)) {
-      return EllipseReject::BAD_FIT;
+      candidate = fitMost(*candidate, points, count);
+      if (!candidate) {
+        return EllipseReject::BAD_FIT;
+      }
     }
     return complete(*candidate);
   }
@@ -187,6 +193,37 @@ public:
   }
 
 private:
+  // An outline that has caught a piece of something else: fits what is left without the farthest points.
+  std::optional<EllipseCandidate> fitMost(const EllipseCandidate &start, const EdgePoint *points, std::size_t count)
+  {
+    EllipseCandidate candidate = start;
+    for (int pass = 0; pass < trimmingPasses; ++pass) {
+      m_distances.clear();
+      for (std::size_t i = 0; i < count; ++i) {
+        m_distances.push_back(std::abs(sampsonDistance(candidate.conic, points[i].position)));
+      }
+      const auto bound = m_distances.begin() + static_cast<std::ptrdiff_t>(trimmedShare * static_cast<double>(count));
+      std::vector<double> sorted = m_distances;
+      std::nth_element(sorted.begin(), sorted.begin() + (bound - m_distances.begin()), sorted.end());
+      const double farthest = sorted[static_cast<std::size_t>(bound - m_distances.begin())];
+      m_kept.clear();
+      for (std::size_t i = 0; i < count; ++i) {
+        if (m_distances[i] <= farthest) {
+          m_kept.push_back(points[i]);
+        }
+      }
+      auto refit = fitPoints(m_kept.data(), m_kept.size(), m_buffer);
+      if (!refit) {
+        return std::nullopt;
+      }
+      candidate = *refit;
+    }
+    if (rootMeanSquareDistance(candidate, m_kept.data(), m_kept.size()) > tolerance(candidate.ellipse)) {
+      return std::nullopt;
+    }
+    return candidate;
+  }
+
   EllipseReject complete(EllipseCandidate &candidate)
   {
     // The first search forgives the extrapolation of an arc, the second only the noise.
@@ -230,6 +267,8 @@ private:
   const Gradient &m_gradient;
   std::vector<EllipseCandidate> &m_candidates;
   std::vector<Eigen::Vector2d> m_buffer;
+  std::vector<double> m_distances;
+  std::vector<EdgePoint> m_kept;
 };
 } // namespace
 

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker
@@ -62,8 +63,9 @@ public:
       m_least(gradient.continueAbove * gradient.continueAbove)
   { }
 
-  // Walks from (x, y), excluded, along the edge; forward has the bright side on the left.
-  void walk(int x, int y, bool forward, std::vector<EdgePixel> &out)
+  // Walks from (x, y), excluded, along the edge; forward has the bright side on the left. Returns the pixel of an
+  // earlier walk, or of its own, that it ran into.
+  std::optional<EdgePixel> walk(int x, int y, bool forward, std::vector<EdgePixel> &out)
   {
     while (true) {
       const int gx = m_gradient.dx.at<short>(y, x);
@@ -88,13 +90,13 @@ public:
         }
       }
       if (best < 0) {
-        return;
+        return std::nullopt;
       }
       x += stepX[best];
       y += stepY[best];
       std::uint8_t &mark = m_result.visited[index(x, y)];
       if (mark == walked) {
-        return;
+        return EdgePixel {static_cast<short>(x), static_cast<short>(y)};
       }
       mark = walked;
       markBeside(x, y);
@@ -151,6 +153,29 @@ private:
 };
 } // namespace
 
+namespace
+{
+// A walk that ran into one of its own pixels has gone round a loop: index of the loop's first pixel, or the size.
+std::size_t loopStart(const std::vector<EdgePixel> &pixels, std::size_t begin, const std::optional<EdgePixel> &hit)
+{
+  if (hit) {
+    for (std::size_t i = begin; i < pixels.size(); ++i) {
+      if (pixels[i].x == hit->x && pixels[i].y == hit->y) {
+        return i;
+      }
+    }
+  }
+  return pixels.size();
+}
+
+bool endsMeet(const std::vector<EdgePixel> &pixels, std::size_t begin, std::size_t end)
+{
+  const EdgePixel first = pixels[begin];
+  const EdgePixel last = pixels[end - 1];
+  return std::abs(first.x - last.x) <= closingDistance && std::abs(first.y - last.y) <= closingDistance;
+}
+} // namespace
+
 void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &result)
 {
   const int width = gradient.dx.cols;
@@ -171,21 +196,25 @@ void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &
       }
       result.visited[linker.index(x, y)] = walked;
       linker.markBeside(x, y);
-      EdgeChain chain;
-      chain.begin = result.pixels.size();
-      linker.walk(x, y, false, result.pixels);
-      std::reverse(result.pixels.begin() + static_cast<std::ptrdiff_t>(chain.begin), result.pixels.end());
+      const std::size_t begin = result.pixels.size();
       result.pixels.push_back({static_cast<short>(x), static_cast<short>(y)});
-      linker.walk(x, y, true, result.pixels);
-      chain.end = result.pixels.size();
-      if (chain.length() < shortest) {
-        result.pixels.resize(chain.begin);
-        continue;
+      const std::size_t loopBehind = loopStart(result.pixels, begin, linker.walk(x, y, false, result.pixels));
+      std::reverse(result.pixels.begin() + static_cast<std::ptrdiff_t>(begin), result.pixels.end());
+      // The reversed walk begins with its loop, if it ran into itself, and ends with the pixel it started from.
+      const std::size_t tail = begin + (result.pixels.size() - loopBehind);
+      const std::size_t loopAhead = loopStart(result.pixels, tail, linker.walk(x, y, true, result.pixels));
+      const auto keep = [&](std::size_t from, std::size_t to, bool closed) {
+        if (to >= from + shortest) {
+          result.chains.push_back({from, to, closed || endsMeet(result.pixels, from, to)});
+        }
+      };
+      const std::size_t count = result.chains.size();
+      keep(begin, tail, true);
+      keep(tail, loopAhead, false);
+      keep(loopAhead, result.pixels.size(), true);
+      if (result.chains.size() == count) {
+        result.pixels.resize(begin);
       }
-      const EdgePixel first = result.pixels[chain.begin];
-      const EdgePixel last = result.pixels[chain.end - 1];
-      chain.closed = std::abs(first.x - last.x) <= closingDistance && std::abs(first.y - last.y) <= closingDistance;
-      result.chains.push_back(chain);
     }
   }
 }
