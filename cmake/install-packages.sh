@@ -28,8 +28,8 @@ for use in "$@"; do
     # The libraries and the programs, and gnuplot, which the programs draw their curves with.
     build) packages+=(build-essential cmake pkg-config libvisp-dev libeigen3-dev libopencv-dev libcairo2-dev libcli11-dev
                       nlohmann-json3-dev gnuplot-nox) ;;
-    # GoogleTest; poppler reads printed sheets back; photographs; a display without a screen.
-    test) packages+=(libgtest-dev poppler-utils visp-images-data xvfb xauth xdotool) ;;
+    # GoogleTest; poppler and librsvg read printed sheets back; photographs; a display without a screen.
+    test) packages+=(libgtest-dev poppler-utils librsvg2-bin visp-images-data xvfb xauth xdotool) ;;
     # To unpack and build ViSP's own source.
     in-tree) packages+=(dpkg-dev ca-certificates ccache) ;;
     *) echo "install-packages.sh: unknown use $use; known: build, test, in-tree" >&2; exit 2 ;;
