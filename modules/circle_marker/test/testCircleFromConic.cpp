@@ -104,6 +104,27 @@ TEST(CircleFromConic, CentredFormIsExactForTinyCircles)
   }
 }
 
+TEST(CircleFromConic, CentringAConicLosesNothing)
+{
+  // The value at the centre of the conic as it was rounded, against the same with more digits. In plain double
+  // precision it would lose (distance from the axis / size)^2, here up to 1e6 times the rounding.
+  std::mt19937_64 random = randomOfTest();
+  for (int i = 0; i < 5000; i++) {
+    const View view = randomView(random, 0.02, 5., 20., uniform(random, 0., 80.) * M_PI / 180.);
+    const Eigen::Matrix3d rounded = view.exactConic().cast<double>();
+    const auto centered = centerConic(rounded);
+    ASSERT_TRUE(centered);
+    const Matrix3 Q = rounded.cast<long double>();
+    const long double det = Q(0, 0) * Q(1, 1) - Q(0, 1) * Q(0, 1);
+    const long double x = (Q(0, 1) * Q(1, 2) - Q(1, 1) * Q(0, 2)) / det,
+                      y = (Q(0, 1) * Q(0, 2) - Q(0, 0) * Q(1, 2)) / det;
+    const long double offset = Q(0, 2) * x + Q(1, 2) * y + Q(2, 2);
+    const double scale = rounded(0, 0) / centered->A(0, 0);
+    const double lost = std::sqrt(std::numeric_limits<long double>::epsilon() * std::numeric_limits<double>::epsilon());
+    ASSERT_NEAR(scale * centered->offset / static_cast<double>(offset), 1., std::max(1e-11, 1e6 * lost)) << i;
+  }
+}
+
 TEST(CircleFromConic, BothCirclesHaveTheSameImage)
 {
   std::mt19937_64 random = randomOfTest();
