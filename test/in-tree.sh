@@ -121,7 +121,8 @@ for target in visp_circle_marker visp_circle_marker_simulator "${tests[@]}" "${p
   has_target "$target" || { echo "in-tree.sh: ViSP's build does not know the target $target" >&2; exit 1; }
 done
 
-cmake --build "$build" -j"$(nproc)" --target visp_circle_marker visp_circle_marker_simulator "${tests[@]}" "${programs[@]}"
+cmake --build "$build" -j"$(nproc)" --target \
+      visp_circle_marker visp_circle_marker_simulator "${tests[@]}" "${programs[@]}"
 
 servo=$(find "$build" -name tutorial-circle-marker-pbvs -type f -perm -u+x | head -n 1)
 [[ -n $servo ]] || { echo "in-tree.sh: tutorial-circle-marker-pbvs was not built" >&2; exit 1; }
