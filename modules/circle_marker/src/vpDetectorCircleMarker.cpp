@@ -17,6 +17,7 @@
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <visp3/core/vpException.h>
@@ -44,8 +45,8 @@ constexpr unsigned int polygonPoints = 36;
 // Size of a marker whose size was not told: poses are then in units of its diameter.
 constexpr double unitSize = 1.;
 
-// Two detections of one marker have their centres within this share of its size.
-constexpr double sameMarker = 0.5;
+// Inside a marker there is room for another one in its white centre only, of this radius in units of the ring's.
+constexpr double whiteCenter = 0.4;
 
 void checkSize(double size)
 {
@@ -85,6 +86,9 @@ public:
     for (const EllipseCandidate &candidate : m_candidates) {
       if (vpTime::measureTimeMs() > deadline) {
         break;
+      }
+      if (isPartOfDetected(candidate.ellipse)) {
+        continue;
       }
       const auto poses = posesFromOutline(candidate.points, camera, 0.5 * size);
       if (!poses) {
@@ -136,6 +140,23 @@ private:
     double visible;
   };
 
+  // Whether an outline is a piece of a marker that is known already: its code, or its ring again.
+  bool isPartOfDetected(const EllipseParameters &ellipse) const
+  {
+    for (const vpCircleMarkerDetection &known : detections) {
+      const EllipseParameters outer = {Eigen::Vector2d(known.ellipse.center.get_u(), known.ellipse.center.get_v()),
+                                       known.ellipse.a, known.ellipse.b, known.ellipse.angle};
+      const Eigen::Vector2d offset = Eigen::Rotation2Dd(-outer.angle) * (ellipse.center - outer.center);
+      // Affine image of the ring as the unit circle: distance of the centres, and the larger reach of the outline.
+      const double distance = Eigen::Vector2d(offset.x() / outer.a, offset.y() / outer.b).norm();
+      const double reach = distance + ellipse.a / outer.a;
+      if (distance < 1. && reach > whiteCenter) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   bool addDetection(const vpImage<unsigned char> &I, const CameraModel &camera, const EllipseCandidate &candidate,
                     Recognition marker)
   {
@@ -153,11 +174,6 @@ private:
     }
     const vpCircleMarkerDetection detection =
         reportOf(marker, *measurement, camera, candidate.support, settings.zAlignedWithCameraAxis);
-    for (const vpCircleMarkerDetection &other : detections) {
-      if (vpImagePoint::distance(other.center, detection.center) < sameMarker * std::min(other.ellipse.b, detection.ellipse.b)) {
-        return false;
-      }
-    }
     detections.push_back(detection);
     m_recognised.push_back({marker, candidate.points, outlineOf(measurement->first.plane, camera, polygonPoints),
                             candidate.contrast, candidate.support});

@@ -305,7 +305,7 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
     }
   }
   std::sort(candidates.begin(), candidates.end(),
-            [](const EllipseCandidate &p, const EllipseCandidate &q) { return p.support > q.support; });
+            [](const EllipseCandidate &p, const EllipseCandidate &q) { return p.ellipse.a > q.ellipse.a; });
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -54,7 +54,7 @@ struct EllipseCandidate
   \param I : The image.
   \param gradient : Its gradient.
   \param chains : Its edge chains.
-  \param candidates : The ellipses, best supported first; no two of the same outline.
+  \param candidates : The ellipses, largest first; no two of the same outline.
 */
 void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgeChains &chains,
                   std::vector<EllipseCandidate> &candidates);
