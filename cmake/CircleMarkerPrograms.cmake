@@ -17,18 +17,18 @@
 #
 #############################################################################
 
-# circle_marker_add_program(<name>): the program <name> from <name>.cpp or from <name>/*.cpp, linked with ViSP.
+# circle_marker_add_program(<name> <library>...): the program <name> from <name>.cpp or from <name>/*.cpp, linked with
+# ViSP and the libraries. Programs beside each other share common/: its *.cpp, and its headers as "common/...".
 # A program whose sources are not there is left out. CIRCLE_MARKER_PROGRAMS (global property) collects the names.
 function(circle_marker_add_program name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp
-       ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  set(folder ${CMAKE_CURRENT_SOURCE_DIR})
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/${name}.cpp ${folder}/${name}/*.cpp)
   if(NOT sources)
     return()
   endif()
-  add_executable(${name} ${sources})
-  if(IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${name})
-    target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/${name})
-  endif()
+  file(GLOB common_sources CONFIGURE_DEPENDS ${folder}/common/*.cpp)
+  add_executable(${name} ${sources} ${common_sources})
+  target_include_directories(${name} PRIVATE ${folder} ${folder}/${name})
   target_include_directories(${name} SYSTEM PRIVATE ${VISP_INCLUDE_DIRS})
   target_link_libraries(${name} ${VISP_LIBRARIES} ${ARGN})
   target_compile_features(${name} PRIVATE cxx_std_17)

@@ -106,17 +106,10 @@ configure "$work/configure-1.log"
 configure "$work/configure-2.log"
 cmake --build "$build" --target help > "$work/targets.txt"
 
-tests=()
-for file in "$root"/modules/*/test/*.cpp; do
-  tests+=("$(basename "$file" .cpp)")
-done
-programs=()
-for file in "$root"/tutorial/circle_marker/* "$root"/example/circle_marker/*; do
-  if [[ $file == *.cpp || -d $file ]]; then
-    name=$(basename "$file" .cpp)
-    [[ " ${programs[*]-} " == *" $name "* ]] || programs+=("$name")
-  fi
-done
+mapfile -t tests < <(find "$root"/modules/*/test -name '*.cpp' -exec basename {} .cpp \; | sort)
+# A program is one file or a folder of files; common/ is what programs share.
+mapfile -t programs < <(cd "$root" && find tutorial/circle_marker example/circle_marker -name '*.cpp' |
+                        cut -d/ -f3 | sed 's/\.cpp$//' | grep -vx common | sort -u)
 for target in visp_circle_marker visp_circle_marker_simulator "${tests[@]}" "${programs[@]}"; do
   has_target "$target" || { echo "in-tree.sh: ViSP's build does not know the target $target" >&2; exit 1; }
 done
