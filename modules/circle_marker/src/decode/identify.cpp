@@ -30,6 +30,11 @@ constexpr double leastContrast = 0.2;
 // A track that is not made of sectors leaves more than this share of its own contrast unexplained.
 constexpr double mostResidual = 0.25;
 
+// Each corrected sector asks for more agreement of the others: the whole capacity of the code used costs this much.
+// (Of the readings of 1025 photographs without a marker, none of 25 phantoms with two corrections passes 0.75; markers
+// of 20 pixels and more are read without correction at 0.77 and better.)
+constexpr double marginOfCapacity = 0.3;
+
 double agreement(const SectorReading &reading, CyclicCode::Word codeword)
 {
   double sum = 0.;
@@ -65,7 +70,8 @@ std::optional<CodeReading> identify(const SectorReading &reading, const vpCircle
   result.hamming = hammingDistance(word, *codeword);
   result.margin = agreement(reading, *codeword);
   result.spin = reading.phase + 2. * M_PI * identity->rotation / reading.sectors;
-  if (result.margin < settings.minimumMargin) {
+  const double corrected = static_cast<double>(result.hamming) / code.getCapacity();
+  if (result.margin < settings.minimumMargin + marginOfCapacity * corrected) {
     return std::nullopt;
   }
   return result;

@@ -29,7 +29,7 @@ namespace circle_marker
 struct DecodeSettings
 {
   unsigned int maximumHamming = 2; //!< Most sectors that are corrected.
-  double minimumMargin = 0.35;     //!< Least mean agreement of the soft values with the codeword.
+  double minimumMargin = 0.6;      //!< Least mean agreement of the soft values with a codeword read without errors.
 };
 
 /*! A marker's code, read. */

@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/normal_distribution.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker
 {
@@ -27,8 +29,10 @@ namespace
 {
 // Half-width of the band of pixels along an edge, pixels: beyond three times a common blur (0.8) an edge has no slope.
 constexpr double band = 3.0;
-// Outside the ring, this share of the quiet zone is used at most: what lies beyond it blurs into its rim.
-constexpr double shareOfQuietZone = 0.75;
+// A pixel that may see more than this share of what lies beyond the quiet zone is not used.
+constexpr double mostSurround = 0.3;
+// Blur by which the surround reaches into the quiet zone, pixels: lens 0.75 and pixel area 0.29.
+constexpr double surroundBlur = 0.8;
 // Of the flat areas, one pixel in 16 is enough to know their level.
 constexpr unsigned int flatStride = 4;
 // Number of pixels from which a marker is thinned. At 3000 pixels the least error of a marker of 200 pixels diameter
@@ -88,7 +92,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
                   std::size_t count, const MarkerPattern &pattern, double quietZone, std::vector<FitPixel> &pixels)
 {
   pixels.clear();
-  const double outermost = 1. + shareOfQuietZone * quietZone;
+  const double outermost = 1. + quietZone;
   const Box box = boundingBox(I, camera, planes, count, outermost);
   const Eigen::Vector2d center = camera.toPixel(planes[0].project(Eigen::Vector2d::Zero()));
   const double size = 0.25 * (box.right - box.left + box.bottom - box.top) / outermost;
@@ -108,9 +112,12 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
       bool inside = true;
       double distance = HUGE_VAL;
       for (std::size_t i = 0; i < count && inside; ++i) {
-        Eigen::Vector2d q;
-        distance = std::min(distance, distanceToEdges(pixel.model, planes[i], pattern, &q));
-        inside = q.norm() < outermost;
+        const PatternDistance here = distanceToPattern(pixel.model, planes[i], pattern);
+        distance = std::min(distance, here.toEdges);
+        const double toSurround = (outermost - here.radius) / here.radiusPerPixel;
+        pixel.surround =
+            std::max(pixel.surround, NormalDistribution::instance().at(-toSurround / surroundBlur).cumulative);
+        inside = pixel.surround < mostSurround;
       }
       if (!inside || (distance > band && !flatSample)) {
         continue;

@@ -34,6 +34,7 @@ struct FitPixel
   ModelPixel model;
   Eigen::Vector2d offset; //!< From the marker's centre, in units of its image's size: for the light's gradient.
   double grey = 0.;       //!< Measured grey level.
+  double surround = 0.;   //!< Share of what it sees that may lie beyond the quiet zone, where anything may be.
 };
 
 /*!

@@ -246,23 +246,22 @@ Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const Mar
   return darkness;
 }
 
-double distanceToEdges(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern,
-                       Eigen::Vector2d *q)
+PatternDistance distanceToPattern(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern)
 {
   const PlanePoint point = planePoint(pixel, plane);
   const Polar polar = polarOf(point);
-  if (q != nullptr) {
-    *q = point.q;
-  }
-  double least = HUGE_VAL;
+  PatternDistance distance;
+  distance.radius = polar.radius;
+  distance.radiusPerPixel = polar.gradient;
+  distance.toEdges = HUGE_VAL;
   for (unsigned int i = 0; i < pattern.ringEdges; ++i) {
-    least = std::min(least, std::abs(pattern.ring[i].radius - polar.radius) / polar.gradient);
+    distance.toEdges = std::min(distance.toEdges, std::abs(pattern.ring[i].radius - polar.radius) / polar.gradient);
   }
   if (pattern.sectors == 0) {
-    return least;
+    return distance;
   }
   for (const RadialEdge &edge : pattern.track) {
-    least = std::min(least, std::abs(edge.radius - polar.radius) / polar.gradient);
+    distance.toEdges = std::min(distance.toEdges, std::abs(edge.radius - polar.radius) / polar.gradient);
   }
   if (polar.radius < pattern.track[0].radius && polar.radius > pattern.track[1].radius) {
     const double sectorAngle = 2. * M_PI / pattern.sectors;
@@ -270,10 +269,11 @@ double distanceToEdges(const ModelPixel &pixel, const MarkerPlane &plane, const 
     if (pattern.isBlack(nearest) != pattern.isBlack(nearest - 1)) {
       const double angle = nearest * sectorAngle;
       const Eigen::Vector2d across(-std::sin(angle), std::cos(angle));
-      least = std::min(least, std::abs(across.dot(point.q)) / (point.byPixel.transpose() * across).norm());
+      distance.toEdges =
+          std::min(distance.toEdges, std::abs(across.dot(point.q)) / (point.byPixel.transpose() * across).norm());
     }
   }
-  return least;
+  return distance;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -73,12 +73,16 @@ struct Darkness
 Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern,
                     const BlurParameters &blur);
 
-/*!
-  Distance from a pixel to the nearest edge of the pattern, pixels, to first order; and the point of the plane that the
-  pixel shows, in units of the outer radius, if \e q is given.
-*/
-double distanceToEdges(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern,
-                       Eigen::Vector2d *q = nullptr);
+/*! Where a pixel lies on the pattern. */
+struct PatternDistance
+{
+  double toEdges = 0.;        //!< Distance to the nearest edge, pixels, to first order.
+  double radius = 0.;         //!< Distance to the marker's centre, in units of the outer radius.
+  double radiusPerPixel = 0.; //!< Length of its gradient in the image.
+};
+
+/*! Where a pixel lies on the pattern at a pose. */
+PatternDistance distanceToPattern(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -41,6 +41,8 @@ using Matrix = Eigen::Matrix<double, parameters, parameters>;
 constexpr double tukey = 4.685;
 // Ratio of a normal distribution's standard deviation to its median absolute value.
 constexpr double sigmaOfMedian = 1.4826;
+// The noise is measured on pixels that see less than this share of the surround.
+constexpr double cleanSurround = 0.005;
 // Noise of rounding to whole grey levels.
 constexpr double quantisation = 0.2887;
 // The blur stays between that of the pixel's own area and a twentieth of a metre-wide smear.
@@ -118,17 +120,25 @@ public:
   // Noise from the residuals of the present parameters, and the weights that follow from it.
   double reweight(const MarkerPlane &plane, const Photometry &photometry)
   {
-    m_absolute.resize(m_pixels.size());
+    m_absolute.clear();
     m_residuals.resize(m_pixels.size());
     for (std::size_t i = 0; i < m_pixels.size(); ++i) {
       const double darkness = darknessAt(m_pixels[i].model, plane, m_pattern, photometry.blur).value;
       m_residuals[i] = residualOf(m_pixels[i], photometry, darkness);
-      m_absolute[i] = std::abs(m_residuals[i]);
+      if (m_pixels[i].surround < cleanSurround) {
+        m_absolute.push_back(std::abs(m_residuals[i]));
+      }
+    }
+    if (m_absolute.empty()) {
+      return HUGE_VAL;
     }
     const double noise = std::max(sigmaOfMedian * median(m_absolute), quantisation);
     for (std::size_t i = 0; i < m_pixels.size(); ++i) {
       const double u = m_residuals[i] / (tukey * noise);
-      m_weights[i] = std::abs(u) < 1. ? (1. - u * u) * (1. - u * u) : 0.;
+      // What lies beyond the quiet zone differs from white by up to half the light, in either direction.
+      const double surround = 0.5 * photometry.light * m_pixels[i].surround;
+      const double known = noise * noise / (noise * noise + surround * surround);
+      m_weights[i] = std::abs(u) < 1. ? known * (1. - u * u) * (1. - u * u) : 0.;
     }
     return noise;
   }
@@ -312,9 +322,11 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
   double squares = 0.;
   for (const FitPixel &pixel : pixels) {
     const double darkness = darknessAt(pixel.model, fit.plane, pattern, fit.photometry.blur).value;
+    const double surround = 0.5 * fit.photometry.light * pixel.surround;
+    const double known = noise * noise / (noise * noise + surround * surround);
     const double u = std::min(std::abs(residualOf(pixel, fit.photometry, darkness)) / bound, 1.);
     const double kept = 1. - u * u;
-    squares += bound * bound / 3. * (1. - kept * kept * kept);
+    squares += known * bound * bound / 3. * (1. - kept * kept * kept);
   }
   return squares;
 }

@@ -63,8 +63,13 @@ double estimateNoise(const cv::Mat &image)
     below += histogram[static_cast<std::size_t>(median)];
     ++median;
   }
+  // Responses are whole numbers: the median is placed inside its own, half a unit to either side (0: to one side), or
+  // a noise of one grey level, whose median response is 4, would be known to 12 % only.
+  const int here = histogram[static_cast<std::size_t>(median)];
+  const double share = here > 0 ? (0.5 * samples - below) / here : 0.;
+  const double placed = median > 0 ? median - 0.5 + share : 0.5 * share;
   // The response of unit noise has standard deviation 6; the median of |x| of a normal x is 0.6745 sigma.
-  return median / (6. * 0.6745);
+  return placed / (6. * 0.6745);
 }
 
 void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient)
