@@ -1,0 +1,92 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Files that appear whole or not at all.
+ */
+
+#ifndef VP_TUTORIAL_WHOLE_FILE_H
+#define VP_TUTORIAL_WHOLE_FILE_H
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <system_error>
+
+#include <unistd.h>
+
+#include <visp3/core/vpException.h>
+
+#include "visp_names.h"
+
+namespace tutorial {
+/*!
+  Writes a file beside its final name and gives it this name when it is complete; on an error nothing is left of it.
+  What is no ordinary file, such as /dev/stdout, is written directly.
+
+  \param path : Path of the file.
+  \param write : Writes the file of the path it is given; the path has the extension of the final one.
+  \exception vpException::ioError : If the file cannot be written.
+*/
+inline void writeWhole(const std::string &path, const std::function<void(const std::string &)> &write)
+{
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(path, error); // through links, to replace what they point to
+  const auto cannotWrite = [&path](const std::string &reason) {
+    return vpException(vpException::ioError, "\"%s\" cannot be written (%s); is its folder there and writable?",
+                       path.c_str(), reason.c_str());
+  };
+  if (error) {
+    throw cannotWrite(error.message());
+  }
+  if (fs::exists(target) && !fs::is_regular_file(target)) {
+    write(path);
+    return;
+  }
+  const fs::path temporary = target.parent_path() / ("." + target.stem().string() + ".part" + std::to_string(getpid()) +
+                                                     target.extension().string());
+  try {
+    write(temporary.string());
+  }
+  catch (const std::exception &e) {
+    fs::remove(temporary, error);
+    throw cannotWrite(e.what());
+  }
+  fs::rename(temporary, target, error);
+  if (error) {
+    const std::string reason = error.message();
+    fs::remove(temporary, error);
+    throw cannotWrite(reason);
+  }
+}
+
+/*!
+  Writes a text file, whole or not at all.
+  \exception vpException::ioError : If the file cannot be written.
+*/
+inline void writeWholeText(const std::string &path, const std::string &text)
+{
+  writeWhole(path, [&text](const std::string &temporary) {
+    std::ofstream file(temporary, std::ios::binary);
+    file << text;
+    file.close();
+    if (!file) {
+      throw vpException(vpException::ioError, "writing failed");
+    }
+  });
+}
+} // namespace tutorial
+
+#endif

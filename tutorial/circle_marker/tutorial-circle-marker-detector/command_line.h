@@ -1,0 +1,64 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The command line of tutorial-circle-marker-detector.
+ */
+
+#ifndef VP_TUTORIAL_DETECTOR_COMMAND_LINE_H
+#define VP_TUTORIAL_DETECTOR_COMMAND_LINE_H
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <visp3/circle_marker/vpCircleMarkerFamily.h>
+
+#include "../common/arguments.h"
+#include "../common/visp_names.h"
+
+namespace tutorial {
+/*! What the program is asked to do. */
+struct Order
+{
+  std::string input;                          //!< Image, video, pattern or \@list.
+  std::optional<long> first;                  //!< First number of a pattern or video.
+  std::optional<long> last;                   //!< Last number.
+  std::string cameraFile;                     //!< XML file.
+  std::string cameraName;                     //!< Name of the camera in it.
+  double size = 0.;                           //!< Outer diameter of the ring, metres.
+  std::map<int, double> sizes;                //!< Diameters of single markers, metres, by id.
+  std::string configFile;                     //!< Settings of the detector; empty: none.
+  std::vector<vpCircleMarkerFamily> families; //!< Families to look for; empty: those of the settings.
+  std::optional<unsigned int> hamming;        //!< Most sectors to be corrected.
+  std::optional<unsigned int> threads;        //!< Number of threads.
+  std::string json;                           //!< File for the results; empty: standard output.
+  std::string overlay;                        //!< File, or pattern of files, for pictures; empty: none.
+  bool display = true;                        //!< Whether to open a window.
+};
+
+/*! An order, or a text that was asked for instead. */
+struct Request
+{
+  std::optional<Order> order;
+  std::string text;
+};
+
+/*!
+  \exception UsageError : If the arguments are wrong.
+*/
+Request parseCommandLine(int argc, const char *const argv[]);
+} // namespace tutorial
+
+#endif

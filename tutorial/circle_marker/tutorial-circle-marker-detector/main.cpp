@@ -1,0 +1,282 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Finds circular markers in images: identity, both poses, covariance.
+ */
+
+/*!
+  \example tutorial-circle-marker-detector/main.cpp
+  Finds circular markers in images: identity, both poses, covariance.
+*/
+
+#include <ctime>
+#include <exception>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include <unistd.h>
+
+#include <visp3/circle_marker/vpDetectorCircleMarker.h>
+#include <visp3/core/vpImageConvert.h>
+#include <visp3/io/vpImageIo.h>
+
+#include "../common/camera_file.h"
+#include "../common/draw.h"
+#include "../common/numbered_name.h"
+#include "../common/visp_names.h"
+#include "../common/whole_file.h"
+#include "../common/window.h"
+#include "command_line.h"
+#include "image_source.h"
+#include "json_line.h"
+
+using namespace tutorial;
+
+namespace {
+const std::string programName = "tutorial-circle-marker-detector";
+
+void complain(const std::string &message)
+{
+  std::cerr << programName << ": " << message << std::endl;
+}
+
+/*! Time that all threads of this process have spent on a processor, milliseconds. */
+double processorMilliseconds()
+{
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+//! [Settings]
+vpDetectorCircleMarker makeDetector(const Order &order)
+{
+  vpDetectorCircleMarker detector;
+  if (!order.configFile.empty()) {
+    detector.loadConfigFile(order.configFile);
+  }
+  if (!order.families.empty()) {
+    detector.setFamilies(order.families);
+  }
+  if (!order.sizes.empty()) {
+    detector.setMarkerSizes(order.sizes);
+  }
+  if (order.hamming) {
+    detector.setMaximumHammingDistance(*order.hamming);
+  }
+  if (order.threads) {
+    detector.setNbThreads(*order.threads);
+  }
+  detector.setZAlignedWithCameraAxis(true);
+  return detector;
+}
+//! [Settings]
+
+//! [Detection]
+ImageResult detectMarkers(vpDetectorCircleMarker &detector, const SourceImage &source, double size,
+                          const vpCameraParameters &cam)
+{
+  std::vector<vpHomogeneousMatrix> cMo;
+  const double start = processorMilliseconds();
+  detector.detect(*source.image, size, cam, cMo);
+  const double end = processorMilliseconds();
+  return ImageResult{source.name, source.image->getWidth(), source.image->getHeight(), end - start,
+                     detector.getDetections()};
+}
+//! [Detection]
+
+/*! The image with what was found: outline, axes, centre, identity and distance. */
+vpImage<vpRGBa> overlayOf(const vpImage<unsigned char> &I, const ImageResult &result, const vpCameraParameters &cam)
+{
+  vpImage<vpRGBa> picture;
+  vpImageConvert::convert(I, picture);
+  for (const vpCircleMarkerDetection &detection : result.detections) {
+    drawRing(picture, detection.cMo, cam, 0.5 * detection.size, vpColor::green, 1);
+    drawAxes(picture, detection.cMo, cam, 0.5 * detection.size);
+    drawMark(picture, detection.center, vpColor::yellow);
+    std::ostringstream text;
+    if (detection.family.isCoded()) {
+      text << "id " << detection.id << "  ";
+    }
+    text << std::fixed << std::setprecision(3) << detection.cMo.getTranslationVector().frobeniusNorm() << " m";
+    drawText(picture, text.str(), detection.center + vpImagePoint(detection.ellipse.a + 4., -detection.ellipse.a));
+  }
+  return picture;
+}
+
+/*!
+  Reads, detects and reports one image after the other.
+*/
+class Run
+{
+public:
+  explicit Run(const Order &order)
+      : m_order(order), m_detector(makeDetector(order)), m_source(openSource(order.input, order.first, order.last)),
+        m_overlayName(NumberedName::parse(order.overlay))
+  {
+    if (!order.overlay.empty() && !m_overlayName && m_source->size() > 1) {
+      throw UsageError("--overlay names one picture for many images; use a number in the name, overlay-%04d.png");
+    }
+    if (order.display) {
+      m_window.emplace("Circular markers", 10, 10);
+    }
+  }
+
+  /*! \return Whether all inputs could be used. */
+  bool all()
+  {
+    const bool showProgress = isatty(STDERR_FILENO) != 0 && m_source->size() > 10;
+    std::size_t done = 0;
+    while (const std::optional<SourceImage> source = m_source->next()) {
+      one(*source);
+      ++done;
+      if (showProgress) {
+        std::cerr << "\r" << done << " of " << m_source->size() << std::flush;
+      }
+      if (m_quit) {
+        break;
+      }
+    }
+    if (showProgress) {
+      std::cerr << std::endl;
+    }
+    if (!m_order.json.empty()) {
+      writeWholeText(m_order.json, m_lines);
+    }
+    return m_allUsed;
+  }
+
+private:
+  void one(const SourceImage &source)
+  {
+    try {
+      if (!source.image) {
+        throw vpException(vpException::ioError, source.problem);
+      }
+      const vpCameraParameters cam = cameraFor(source);
+      const ImageResult result = detectMarkers(m_detector, source, m_order.size, cam);
+      keep(jsonLine(result));
+      showOverlay(source, result, cam);
+    }
+    catch (const vpException &e) {
+      m_allUsed = false;
+      complain("\"" + source.name + "\" is left out: " + e.what());
+    }
+  }
+
+  void keep(const std::string &line)
+  {
+    if (m_order.json.empty()) {
+      std::cout << line << std::endl;
+    }
+    else {
+      m_lines += line + "\n";
+    }
+  }
+
+  vpCameraParameters cameraFor(const SourceImage &source)
+  {
+    const unsigned int width = source.image->getWidth(), height = source.image->getHeight();
+    if (m_camera && width == m_width && height == m_height) {
+      return m_camera->parameters;
+    }
+    m_camera = readCamera(m_order.cameraFile, m_order.cameraName, width, height);
+    m_width = width;
+    m_height = height;
+    if (m_camera->width != 0 && (m_camera->width != width || m_camera->height != height)) {
+      std::ostringstream message;
+      message << "the camera \"" << m_order.cameraName << "\" of \"" << m_order.cameraFile << "\" is for images of "
+              << m_camera->width << " x " << m_camera->height << " pixels, but \"" << source.name << "\" has " << width
+              << " x " << height << "; its parameters are used as they are: check that they are the right ones";
+      complain(message.str());
+    }
+    return m_camera->parameters;
+  }
+
+  void showOverlay(const SourceImage &source, const ImageResult &result, const vpCameraParameters &cam)
+  {
+    if (m_order.overlay.empty() && !m_window) {
+      return;
+    }
+    const vpImage<vpRGBa> picture = overlayOf(*source.image, result, cam);
+    if (!m_order.overlay.empty()) {
+      writeOverlay(m_overlayName ? (*m_overlayName)(source.number) : m_order.overlay, picture);
+    }
+    if (m_window) {
+      showInWindow(picture);
+    }
+  }
+
+  void writeOverlay(const std::string &path, const vpImage<vpRGBa> &picture)
+  {
+    try {
+      writeWhole(path, [&picture](const std::string &temporary) { vpImageIo::write(picture, temporary); });
+    }
+    catch (const vpException &e) {
+      m_allUsed = false;
+      complain(e.what());
+    }
+  }
+
+  void showInWindow(const vpImage<vpRGBa> &picture)
+  {
+    try {
+      m_window->show(picture, "Click: next image. Right click: quit.");
+      m_quit = m_window->click(true) == vpMouseButton::button3;
+    }
+    catch (const std::exception &e) {
+      complain(std::string("no window can be opened (") + e.what() +
+               "); going on without, --display-off does so silently");
+      m_window.reset();
+    }
+  }
+
+  Order m_order;                             //!< What to do.
+  vpDetectorCircleMarker m_detector;         //!< Finds the markers.
+  std::unique_ptr<ImageSource> m_source;     //!< Where the images come from.
+  std::optional<NumberedName> m_overlayName; //!< Names of the pictures, if they have a number.
+  std::optional<Window> m_window;            //!< Shows the pictures.
+  std::optional<NamedCamera> m_camera;       //!< Camera for images of the size below.
+  unsigned int m_width = 0;                  //!< Pixels.
+  unsigned int m_height = 0;                 //!< Pixels.
+  std::string m_lines;                       //!< Results so far.
+  bool m_allUsed = true;                     //!< Whether no image was skipped.
+  bool m_quit = false;                       //!< Whether the user has had enough.
+};
+} // namespace
+
+int main(int argc, const char *argv[])
+{
+  try {
+    const Request request = parseCommandLine(argc, argv);
+    if (!request.order) {
+      std::cout << request.text;
+      return 0;
+    }
+    Run run(*request.order);
+    return run.all() ? 0 : 1;
+  }
+  catch (const UsageError &e) {
+    complain(e.what());
+    return 2;
+  }
+  catch (const std::exception &e) {
+    complain(e.what());
+    return 1;
+  }
+}
