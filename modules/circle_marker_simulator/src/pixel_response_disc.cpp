@@ -121,7 +121,7 @@ void PixelResponse::buildDiscTable(double sigma, double defocusRadius)
                      m_discSide);
   table = convolveRows(convolveRows(convolveRows(table, m_discSide, gaussian), m_discSide, pixel), m_discSide, pixel);
   for (double &value : table) {
-    value *= static_cast<double>(SAMPLES); // shares of cells become a density along y and stay sums along x
+    value *= static_cast<double>(SAMPLES) * SAMPLES; // from shares of cells to a density
   }
   m_disc = table;
 }

@@ -83,8 +83,12 @@ struct Projector
   }
 };
 
-// Largest distance from chord to curve, in pixels: 2/3 of it times a contrast of 200 is 0.013 grey levels.
-constexpr double CHORD_ERROR = 1e-4;
+// Largest distance from chord to curve, in pixels. The triangle that stands for the piece of curve over the chord has
+// the curve's area and stays within a third of this distance of it: 0.03 grey levels of a contrast of 200, of either
+// sign, in pixels smaller than a chord, and next to nothing in larger ones.
+constexpr double CHORD_ERROR = 4e-4;
+// Below this distance a piece is a straight line, in pixels.
+constexpr double STRAIGHT = 1e-9;
 // Halvings of a part of a curve; the chord error falls by 4 each time, so that this is never reached in earnest.
 constexpr int MOST_HALVINGS = 16;
 
@@ -104,8 +108,17 @@ void appendChords(const PlaneCurve &curve, const Projector &projector, double t0
 {
   const double t = 0.5 * (t0 + t1);
   const PlanePoint p = projector(curve.at(t));
-  if (halvings == 0 || distanceToChord(p, p0, p1) <= CHORD_ERROR) {
+  const double distance = distanceToChord(p, p0, p1);
+  if (halvings == 0 || distance <= STRAIGHT) {
     outline.push_back({p0, p1});
+    return;
+  }
+  if (distance <= CHORD_ERROR) {
+    // A short curve is a parabola, two thirds of its height times the chord in area: a triangle 4/3 as high has as
+    // much.
+    const PlanePoint top = {(4. * p.x - 0.5 * (p0.x + p1.x)) / 3., (4. * p.y - 0.5 * (p0.y + p1.y)) / 3.};
+    outline.push_back({p0, top});
+    outline.push_back({top, p1});
     return;
   }
   appendChords(curve, projector, t0, p0, t, p, halvings - 1, outline);

@@ -64,7 +64,7 @@ PrintedRegion sheetOf(const vpSimulatedMarker &marker);
 std::vector<PrintedRegion> printOn(const vpSimulatedMarker &marker);
 
 /*!
-  Image of a region, in pixels: chords that stay within 1e-4 pixels of the exact curve.
+  Image of a region, in pixels: straight pieces within 1.4e-4 pixels of the exact curve, which enclose its area.
 
   \exception vpException::badValue : a part of it cannot be seen by the camera.
 */
