@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdint>
 #include <regex>
+#include <set>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -25,6 +26,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
+#include <visp3/circle_marker/vpDetectorCircleMarker.h>
+#include <visp3/core/vpCameraParameters.h>
+#include <visp3/core/vpImage.h>
 
 #include "rendered_page.h"
 #include "run_program.h"
@@ -328,6 +332,52 @@ TEST(CircleMarkerCreate, SeveralMarkersOnASheet)
     expectMarker(page, vpCircleMarkerFamily(), id, 40, 1000 * center.at(0).get<double>(),
                  1000 * center.at(1).get<double>());
   }
+}
+
+// A camera that looks straight at the page, upright, sees the markers where they stand, with the spin they have.
+TEST(CircleMarkerCreate, PrintedMarkersAreDetected)
+{
+  if (isMissing(PDFTOPPM)) {
+    GTEST_SKIP() << "poppler-utils is not installed";
+  }
+  const std::filesystem::path folder = emptyFolder();
+  const std::vector<json> lines = linesOf(create(
+      {"--family", "bch31r", "--ids", "10-13", "--size", "0.07", "--per-sheet", "auto", "--output", "markers.pdf"},
+      folder));
+  ASSERT_EQ(4u, lines.size()); // All on the first page.
+  constexpr int dotsPerInch = 100;
+  renderPdf(folder, "markers.pdf", 1, dotsPerInch);
+  const cv::Mat picture = cv::imread((folder / "page.pgm").string(), cv::IMREAD_GRAYSCALE);
+  vpImage<unsigned char> I(static_cast<unsigned int>(picture.rows), static_cast<unsigned int>(picture.cols));
+  for (int row = 0; row < picture.rows; ++row) {
+    for (int column = 0; column < picture.cols; ++column) {
+      I[row][column] = picture.at<unsigned char>(row, column);
+    }
+  }
+  // At this distance a pixel of the camera is a pixel of the page.
+  constexpr double focal = 1600;
+  constexpr double distance = focal * 0.0254 / dotsPerInch;
+  vpCameraParameters cam;
+  cam.initPersProjWithoutDistortion(focal, focal, (picture.cols - 1) / 2., (picture.rows - 1) / 2.);
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::BCH31R);
+  detector.setZAlignedWithCameraAxis(true);
+  std::vector<vpHomogeneousMatrix> poses;
+  ASSERT_TRUE(detector.detect(I, 0.07, cam, poses));
+  ASSERT_EQ(lines.size(), poses.size());
+  std::set<int> ids;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const vpCircleMarkerDetection &detection = detector.getDetections()[i];
+    ASSERT_TRUE(detection.id >= 10 && detection.id <= 13) << detection.id;
+    ids.insert(detection.id);
+    EXPECT_EQ(0u, detection.hamming);
+    const json &center = lines[static_cast<std::size_t>(detection.id - 10)].at("center_m");
+    EXPECT_NEAR(center.at(0).get<double>() - picture.cols * 0.0254 / dotsPerInch / 2, poses[i][0][3], 5e-5);
+    EXPECT_NEAR(center.at(1).get<double>() - picture.rows * 0.0254 / dotsPerInch / 2, poses[i][1][3], 5e-5);
+    EXPECT_NEAR(distance, poses[i][2][3], 5e-4); // Poppler draws edges a fraction of a pixel fat.
+    // The spin about the axis of the camera: the tilt of a frontal circle is hardly seen.
+    EXPECT_NEAR(0, std::atan2(poses[i][1][0], poses[i][0][0]), 5e-3);
+  }
+  EXPECT_EQ(lines.size(), ids.size());
 }
 
 TEST(CircleMarkerCreate, SeveralPagesAsPngOrSvgAreFilesWithTheIdInTheName)
