@@ -27,8 +27,8 @@ namespace circle_marker
 {
 namespace
 {
-// Half-width of the band of pixels along an edge, pixels: beyond three times a common blur (0.8) an edge has no slope.
-constexpr double band = 3.0;
+// Half-width of the band of pixels along an edge, pixels: beyond three times a common blur (0.75) an edge has no slope.
+constexpr double band = 2.5;
 // A pixel that may see more than this share of what lies beyond the quiet zone is not used.
 constexpr double mostSurround = 0.3;
 // Blur by which the surround reaches into the quiet zone, pixels: lens 0.75 and pixel area 0.29.

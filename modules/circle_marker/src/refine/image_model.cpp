@@ -122,9 +122,9 @@ SeenEdge seeCircle(const Polar &polar, const RadialEdge &edge, const BlurParamet
 }
 
 // The edge between sector k - 1 and sector k; blackSide is 1 if sector k is the black one.
-SeenEdge seeSectorEdge(const PlanePoint &point, double angle, double blackSide, const BlurParameters &blur)
+SeenEdge seeSectorEdge(const PlanePoint &point, const Eigen::Vector2d &across, double blackSide,
+                       const BlurParameters &blur)
 {
-  const Eigen::Vector2d across(-std::sin(angle), std::cos(angle));
   const Eigen::Vector2d g = point.byPixel.transpose() * across;
   const double gradient = g.norm();
   SeenEdge seen;
@@ -187,7 +187,7 @@ Sum seeSectors(const PlanePoint &point, const MarkerPattern &pattern, const Blur
     if (before == after) {
       continue;
     }
-    const SeenEdge edge = seeSectorEdge(point, k * sectorAngle, after ? 1. : -1., blur);
+    const SeenEdge edge = seeSectorEdge(point, pattern.acrossBorder(k), after ? 1. : -1., blur);
     sum.add(edge, 1.);
     if (before) {
       sum.value -= 1.;
@@ -267,8 +267,7 @@ PatternDistance distanceToPattern(const ModelPixel &pixel, const MarkerPlane &pl
     const double sectorAngle = 2. * M_PI / pattern.sectors;
     const int nearest = static_cast<int>(std::lround(std::atan2(point.q.y(), point.q.x()) / sectorAngle));
     if (pattern.isBlack(nearest) != pattern.isBlack(nearest - 1)) {
-      const double angle = nearest * sectorAngle;
-      const Eigen::Vector2d across(-std::sin(angle), std::cos(angle));
+      const Eigen::Vector2d &across = pattern.acrossBorder(nearest);
       distance.toEdges =
           std::min(distance.toEdges, std::abs(across.dot(point.q)) / (point.byPixel.transpose() * across).norm());
     }

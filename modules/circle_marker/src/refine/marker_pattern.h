@@ -19,7 +19,10 @@
 #define VP_CIRCLE_MARKER_MARKER_PATTERN_H
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+
+#include <Eigen/Core>
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 
@@ -41,12 +44,17 @@ struct MarkerPattern
   std::array<RadialEdge, 2> track {}; //!< Outer and inner edge of the code track.
   unsigned int sectors = 0;          //!< Number of sectors of the track; 0 without a code.
   std::uint32_t word = 0;            //!< Black sectors; sector 0 is the most significant of the bits.
+  //! For each sector, the unit vector across its first border, toward the sector.
+  std::array<Eigen::Vector2d, 31> across {};
 
-  bool isBlack(int sector) const
+  bool isBlack(int sector) const { return (word >> (sectors - 1 - wrap(sector))) & 1U; }
+
+  const Eigen::Vector2d &acrossBorder(int sector) const { return across[wrap(sector)]; }
+
+  unsigned int wrap(int sector) const
   {
     const int n = static_cast<int>(sectors);
-    const int k = ((sector % n) + n) % n;
-    return (word >> (n - 1 - k)) & 1U;
+    return static_cast<unsigned int>(((sector % n) + n) % n);
   }
 };
 
@@ -67,6 +75,10 @@ inline MarkerPattern patternOf(const vpCircleMarkerFamily &family, int id, doubl
     pattern.track = {RadialEdge {family.getLayout().codeOuter, 1.}, RadialEdge {family.getLayout().codeInner, -1.}};
     pattern.sectors = family.getNbSectors();
     pattern.word = family.getCodeword(id);
+    for (unsigned int k = 0; k < pattern.sectors; ++k) {
+      const double angle = 2. * M_PI * k / pattern.sectors;
+      pattern.across[k] = Eigen::Vector2d(-std::sin(angle), std::cos(angle));
+    }
   }
   return pattern;
 }

@@ -51,13 +51,20 @@ constexpr double mostSigma = 20.;
 // Black grows by no more than this, pixels, and is expected to grow by none to this standard deviation.
 constexpr double growthPrior = 0.3;
 // A step is the last if it moves no parameter by more than this share of its standard deviation.
-constexpr double convergence = 0.02;
+constexpr double convergence = 0.1;
+// The noise is estimated again after each of the first steps; later ones keep it, so that they have one cost to lower.
+constexpr int noiseUpdates = 5;
+// Beyond this damping no step lowers the cost: the fit is at its minimum, to rounding.
+constexpr double mostDamping = 1e6;
 
+// Normal equations of one pass over the pixels.
 struct Equations
 {
   Matrix matrix = Matrix::Zero();
   Vector right = Vector::Zero();
-  double squares = 0.;
+  double cost = 0.;    // robust sum of squares, grey levels^2
+  double squares = 0.; // weighted sum of squared residuals, grey levels^2
+  double weight = 0.;  // sum of the weights
 };
 
 double residualOf(const FitPixel &pixel, const Photometry &photometry, double darkness)
@@ -82,18 +89,38 @@ Vector gradientOf(const FitPixel &pixel, const Photometry &photometry, const Dar
   return row;
 }
 
-double median(std::vector<double> &values)
+// Share of a pixel's information that the unknown surround leaves: what lies beyond the quiet zone differs from white
+// by up to half the light, in either direction.
+double shareOfKnown(const FitPixel &pixel, const Photometry &photometry, double noise)
 {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const double surround = 0.5 * photometry.light * pixel.surround;
+  return noise * noise / (noise * noise + surround * surround);
+}
+
+// Tukey's biweight loss of a residual, and the weight with which it enters the normal equations.
+struct Loss
+{
+  double cost;
+  double weight;
+};
+
+Loss biweight(double residual, double noise)
+{
+  const double bound = tukey * noise;
+  const double u = residual / bound;
+  if (std::abs(u) >= 1.) {
+    return {bound * bound / 3., 0.};
+  }
+  const double kept = 1. - u * u;
+  return {bound * bound / 3. * (1. - kept * kept * kept), kept * kept};
 }
 
 class Fit
 {
 public:
-  Fit(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, const FitSettings &settings)
-    : m_pixels(pixels), m_pattern(pattern), m_settings(settings), m_weights(pixels.size(), 1.)
+  Fit(const std::vector<FitPixel> &pixels, std::size_t stride, const MarkerPattern &pattern,
+      const FitSettings &settings)
+    : m_pixels(pixels), m_stride(stride), m_pattern(pattern), m_settings(settings)
   { }
 
   // Light and contrast that explain the image best at the start pose: linear least squares.
@@ -101,7 +128,8 @@ public:
   {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
-    for (const FitPixel &pixel : m_pixels) {
+    for (std::size_t i = 0; i < m_pixels.size(); i += m_stride) {
+      const FitPixel &pixel = m_pixels[i];
       const double darkness = darknessAt(pixel.model, plane, m_pattern, photometry.blur).value;
       const Eigen::Vector4d row(1., pixel.offset.x(), pixel.offset.y(), -darkness);
       matrix.noalias() += row * row.transpose();
@@ -117,68 +145,96 @@ public:
     return true;
   }
 
-  // Noise from the residuals of the present parameters, and the weights that follow from it.
-  double reweight(const MarkerPlane &plane, const Photometry &photometry)
-  {
-    m_absolute.clear();
-    m_residuals.resize(m_pixels.size());
-    for (std::size_t i = 0; i < m_pixels.size(); ++i) {
-      const double darkness = darknessAt(m_pixels[i].model, plane, m_pattern, photometry.blur).value;
-      m_residuals[i] = residualOf(m_pixels[i], photometry, darkness);
-      if (m_pixels[i].surround < cleanSurround) {
-        m_absolute.push_back(std::abs(m_residuals[i]));
-      }
-    }
-    if (m_absolute.empty()) {
-      return HUGE_VAL;
-    }
-    const double noise = std::max(sigmaOfMedian * median(m_absolute), quantisation);
-    for (std::size_t i = 0; i < m_pixels.size(); ++i) {
-      const double u = m_residuals[i] / (tukey * noise);
-      // What lies beyond the quiet zone differs from white by up to half the light, in either direction.
-      const double surround = 0.5 * photometry.light * m_pixels[i].surround;
-      const double known = noise * noise / (noise * noise + surround * surround);
-      m_weights[i] = std::abs(u) < 1. ? known * (1. - u * u) * (1. - u * u) : 0.;
-    }
-    return noise;
-  }
-
-  Equations normalEquations(const MarkerPlane &plane, const Photometry &photometry, double noise) const
+  // One pass over the pixels; keeps their residuals.
+  Equations linearise(const MarkerPlane &plane, const Photometry &photometry, double noise)
   {
     Equations equations;
-    for (std::size_t i = 0; i < m_pixels.size(); ++i) {
-      if (m_weights[i] == 0.) {
-        continue;
+    m_residuals.clear();
+    for (std::size_t i = 0; i < m_pixels.size(); i += m_stride) {
+      const FitPixel &pixel = m_pixels[i];
+      const Darkness darkness = darknessAt(pixel.model, plane, m_pattern, photometry.blur);
+      const double residual = residualOf(pixel, photometry, darkness.value);
+      m_residuals.push_back(residual);
+      const Loss loss = biweight(residual, noise);
+      const double known = shareOfKnown(pixel, photometry, noise);
+      equations.cost += known * loss.cost;
+      const double weight = known * loss.weight;
+      equations.weight += weight;
+      equations.squares += weight * residual * residual;
+      if (weight > 0.) {
+        const Vector row = gradientOf(pixel, photometry, darkness);
+        for (int column = 0; column < parameters; ++column) {
+          const double factor = weight * row[column];
+          for (int line = column; line < parameters; ++line) {
+            equations.matrix(line, column) += factor * row[line];
+          }
+          equations.right[column] += factor * residual;
+        }
       }
-      const Darkness darkness = darknessAt(m_pixels[i].model, plane, m_pattern, photometry.blur);
-      const double residual = residualOf(m_pixels[i], photometry, darkness.value);
-      const Vector row = gradientOf(m_pixels[i], photometry, darkness);
-      equations.matrix.selfadjointView<Eigen::Lower>().rankUpdate(row, m_weights[i]);
-      equations.right += m_weights[i] * residual * row;
-      equations.squares += m_weights[i] * residual * residual;
     }
     equations.matrix = equations.matrix.selfadjointView<Eigen::Lower>();
     constrain(plane, photometry, noise, equations);
     return equations;
   }
 
-  double weightedSquares(const MarkerPlane &plane, const Photometry &photometry, double noise) const
+  // Noise from the median of the residuals of the last pass that see no surround.
+  double noiseOfResiduals()
   {
-    double squares = priorSquares(photometry, noise);
-    for (std::size_t i = 0; i < m_pixels.size(); ++i) {
-      if (m_weights[i] > 0.) {
-        const double darkness = darknessAt(m_pixels[i].model, plane, m_pattern, photometry.blur).value;
-        const double residual = residualOf(m_pixels[i], photometry, darkness);
-        squares += m_weights[i] * residual * residual;
+    m_absolute.clear();
+    for (std::size_t k = 0; k < m_residuals.size(); ++k) {
+      if (m_pixels[k * m_stride].surround < cleanSurround) {
+        m_absolute.push_back(std::abs(m_residuals[k]));
       }
     }
-    return squares;
+    if (m_absolute.empty()) {
+      return HUGE_VAL;
+    }
+    const auto middle = m_absolute.begin() + static_cast<std::ptrdiff_t>(m_absolute.size() / 2);
+    std::nth_element(m_absolute.begin(), middle, m_absolute.end());
+    return std::max(sigmaOfMedian * *middle, quantisation);
   }
 
-  const std::vector<double> &weights() const { return m_weights; }
+  // Cost of the last pass at another noise.
+  double costOfResiduals(const Photometry &photometry, double noise) const
+  {
+    double cost = priorCost(photometry, noise);
+    for (std::size_t k = 0; k < m_residuals.size(); ++k) {
+      cost += shareOfKnown(m_pixels[k * m_stride], photometry, noise) * biweight(m_residuals[k], noise).cost;
+    }
+    return cost;
+  }
+
+  // Correlation between model and image over the pixels of the last pass, each with its weight.
+  double correlation(const Photometry &photometry, double noise) const
+  {
+    double n = 0., x = 0., y = 0., xx = 0., xy = 0., yy = 0.;
+    for (std::size_t k = 0; k < m_residuals.size(); ++k) {
+      const FitPixel &pixel = m_pixels[k * m_stride];
+      const double model = pixel.grey - m_residuals[k];
+      const double w = biweight(m_residuals[k], noise).weight * shareOfKnown(pixel, photometry, noise);
+      n += w;
+      x += w * model;
+      y += w * pixel.grey;
+      xx += w * model * model;
+      xy += w * model * pixel.grey;
+      yy += w * pixel.grey * pixel.grey;
+    }
+    const double denominator = std::sqrt((n * xx - x * x) * (n * yy - y * y));
+    return denominator > 0. ? (n * xy - x * y) / denominator : 0.;
+  }
+
+  // Share of the pixels of the last pass that the model explains.
+  double inliers(double noise) const
+  {
+    double sum = 0.;
+    for (const double residual : m_residuals) {
+      sum += biweight(residual, noise).weight;
+    }
+    return sum / static_cast<double>(m_residuals.size());
+  }
 
 private:
-  double priorSquares(const Photometry &photometry, double noise) const
+  double priorCost(const Photometry &photometry, double noise) const
   {
     const double u = photometry.blur.growth / growthPrior;
     return m_settings.growth ? noise * noise * u * u : 0.;
@@ -192,7 +248,7 @@ private:
       const double weight = noise * noise / (growthPrior * growthPrior);
       equations.matrix(growthAt, growthAt) += weight;
       equations.right[growthAt] -= weight * photometry.blur.growth;
-      equations.squares += priorSquares(photometry, noise);
+      equations.cost += priorCost(photometry, noise);
     }
     else {
       equations.matrix(growthAt, growthAt) += hold;
@@ -204,11 +260,11 @@ private:
   }
 
   const std::vector<FitPixel> &m_pixels;
+  std::size_t m_stride;
   const MarkerPattern &m_pattern;
   FitSettings m_settings;
-  std::vector<double> m_weights;
-  std::vector<double> m_absolute;
   std::vector<double> m_residuals;
+  std::vector<double> m_absolute;
 };
 
 void applyStep(const Vector &step, MarkerPlane &plane, Photometry &photometry)
@@ -226,47 +282,43 @@ void applyStep(const Vector &step, MarkerPlane &plane, Photometry &photometry)
   photometry.blur.growth += step[growthAt];
 }
 
+// Standard deviation of the noise from the weighted residuals: more efficient than the median.
+double noiseOfSquares(const Equations &equations)
+{
+  // Of normal noise the biweight keeps 0.909 of the mean square at its constant.
+  constexpr double biweightShrinkage = 0.909;
+  const double freedom = std::max(equations.weight - parameters, 1.);
+  return std::max(std::sqrt(equations.squares / freedom / biweightShrinkage), quantisation);
+}
+
 // Whether the marker faces the camera and lies in front of it.
 bool isVisible(const MarkerPlane &plane)
 {
   return plane.center.z() > plane.radius * 0.1 && plane.rotation.col(2).dot(plane.center) > 0.;
 }
 
-double correlationOf(const std::vector<FitPixel> &pixels, const std::vector<double> &weights, const FittedPose &fit,
-                     const MarkerPattern &pattern)
-{
-  double n = 0., x = 0., y = 0., xx = 0., xy = 0., yy = 0.;
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const double darkness = darknessAt(pixels[i].model, fit.plane, pattern, fit.photometry.blur).value;
-    const double model = pixels[i].grey - residualOf(pixels[i], fit.photometry, darkness);
-    const double w = weights[i];
-    n += w;
-    x += w * model;
-    y += w * pixels[i].grey;
-    xx += w * model * model;
-    xy += w * model * pixels[i].grey;
-    yy += w * pixels[i].grey * pixels[i].grey;
-  }
-  const double denominator = std::sqrt((n * xx - x * x) * (n * yy - y * y));
-  return denominator > 0. ? (n * xy - x * y) / denominator : 0.;
-}
 } // namespace
 
-std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const MarkerPlane &start,
+std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, std::size_t stride, const FitStart &start,
                                   const MarkerPattern &pattern, const FitSettings &settings)
 {
-  if (pixels.size() < 2 * parameters) {
+  if (pixels.size() / stride < 2 * parameters) {
     return std::nullopt;
   }
-  Fit fit(pixels, pattern, settings);
+  Fit fit(pixels, stride, pattern, settings);
   FittedPose result;
-  result.plane = start;
-  if (!fit.startPhotometry(result.plane, result.photometry)) {
+  result.plane = start.plane;
+  if (start.photometry) {
+    result.photometry = *start.photometry;
+  }
+  else if (!fit.startPhotometry(result.plane, result.photometry)) {
     return std::nullopt;
   }
+  fit.linearise(result.plane, result.photometry, HUGE_VAL); // for the residuals alone
+  double noise = fit.noiseOfResiduals();
+  Equations equations = fit.linearise(result.plane, result.photometry, noise);
   double damping = 1e-3;
-  double noise = fit.reweight(result.plane, result.photometry);
-  Equations equations = fit.normalEquations(result.plane, result.photometry, noise);
+  int accepted = 0;
   for (int iteration = 0; iteration < settings.mostIterations; ++iteration) {
     Matrix damped = equations.matrix;
     damped.diagonal() *= 1. + damping;
@@ -277,56 +329,53 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Mar
     MarkerPlane plane = result.plane;
     Photometry photometry = result.photometry;
     applyStep(step, plane, photometry);
-    const bool better = isVisible(plane) && photometry.light > 0. &&
-                        fit.weightedSquares(plane, photometry, noise) <= equations.squares;
-    if (!better) {
-      damping = std::max(damping * 10., 1e-4);
-      if (damping > 1e6) {
-        break;
+    if (isVisible(plane) && photometry.light > 0.) {
+      const Equations trial = fit.linearise(plane, photometry, noise);
+      if (trial.cost <= equations.cost) {
+        const bool last = step.dot(equations.matrix * step) < convergence * convergence * noise * noise;
+        result.plane = plane;
+        result.photometry = photometry;
+        equations = trial;
+        damping *= 0.1;
+        if (last) {
+          break;
+        }
+        if (++accepted <= noiseUpdates) {
+          noise = fit.noiseOfResiduals();
+          equations.cost = fit.costOfResiduals(photometry, noise);
+        }
+        continue;
       }
-      continue;
     }
-    damping *= 0.1;
-    result.plane = plane;
-    result.photometry = photometry;
-    const bool last = step.dot(equations.matrix * step) < convergence * convergence * noise * noise;
-    noise = fit.reweight(result.plane, result.photometry);
-    equations = fit.normalEquations(result.plane, result.photometry, noise);
-    if (last) {
+    damping = std::max(damping * 10., 1e-4);
+    if (damping > mostDamping) {
       break;
     }
   }
-  double weight = 0.;
-  for (const double w : fit.weights()) {
-    weight += w;
-  }
-  result.inliers = weight / static_cast<double>(pixels.size());
-  const double freedom = std::max(weight - parameters, 1.);
-  // The biweight shrinks the sum of squares of normal noise by 1.10 per unit of weight at its constant: 0.806 / 0.886.
-  constexpr double biweightShrinkage = 0.909;
-  result.noise = std::max(std::sqrt(equations.squares / freedom / biweightShrinkage), quantisation);
+  // The weights, the noise and the covariance belong to the final parameters.
+  equations = fit.linearise(result.plane, result.photometry, noise);
+  noise = fit.noiseOfResiduals();
+  equations = fit.linearise(result.plane, result.photometry, noise);
+  result.squares = equations.cost;
+  result.noise = noiseOfSquares(equations);
+  result.inliers = fit.inliers(noise);
+  result.correlation = fit.correlation(result.photometry, noise);
   const Matrix inverse = equations.matrix.ldlt().solve(Matrix::Identity());
   if (!inverse.allFinite()) {
     return std::nullopt;
   }
   result.covariance = result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
-  result.squares = robustSquares(pixels, result, pattern, result.noise);
-  result.correlation = correlationOf(pixels, fit.weights(), result, pattern);
   return result;
 }
 
 double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
                      double noise)
 {
-  const double bound = tukey * noise;
   double squares = 0.;
   for (const FitPixel &pixel : pixels) {
     const double darkness = darknessAt(pixel.model, fit.plane, pattern, fit.photometry.blur).value;
-    const double surround = 0.5 * fit.photometry.light * pixel.surround;
-    const double known = noise * noise / (noise * noise + surround * surround);
-    const double u = std::min(std::abs(residualOf(pixel, fit.photometry, darkness)) / bound, 1.);
-    const double kept = 1. - u * u;
-    squares += known * bound * bound / 3. * (1. - kept * kept * kept);
+    squares += shareOfKnown(pixel, fit.photometry, noise) *
+               biweight(residualOf(pixel, fit.photometry, darkness), noise).cost;
   }
   return squares;
 }

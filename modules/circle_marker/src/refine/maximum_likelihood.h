@@ -70,8 +70,18 @@ struct FitSettings
   int mostIterations = 25; //!< Levenberg-Marquardt steps; 0 only evaluates the start.
 };
 
-/*! Refines a pose; nothing if the start explains nothing of the image or the equations are singular. */
-std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const MarkerPlane &start,
+/*! Where a fit starts. */
+struct FitStart
+{
+  MarkerPlane plane;
+  std::optional<Photometry> photometry; //!< Nothing: taken from the image, by linear least squares.
+};
+
+/*!
+  Refines a pose on every \e stride-th of the pixels; nothing if the start explains nothing of the image or the
+  equations are singular.
+*/
+std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, std::size_t stride, const FitStart &start,
                                   const MarkerPattern &pattern, const FitSettings &settings);
 
 /*! Sum of squared residuals with Tukey's biweight at a given noise, so that two fits can be compared. */

@@ -36,6 +36,11 @@ constexpr double leastInliers = 0.5;
 // Two fits closer than this, in standard deviations, are one pose.
 constexpr double samePose = 0.3;
 
+// Pixels of the first, coarse fit: 25 for each of its 12 parameters still make a good start for the fine one.
+constexpr std::size_t coarsePixels = 400;
+// A pose whose log-odds against are beyond this on the coarse pixels is not refined any further.
+constexpr double hopelessOdds = 100.;
+
 bool isSamePose(const FittedPose &p, const FittedPose &q)
 {
   const Eigen::Vector3d turn = 0.5 * (p.plane.rotation.col(2).cross(q.plane.rotation.col(2)));
@@ -43,6 +48,36 @@ bool isSamePose(const FittedPose &p, const FittedPose &q)
                                      1e-12 * Eigen::Matrix3d::Identity(); // the held spin leaves it singular
   const double squared = 4. * turn.dot(covariance.inverse() * turn);
   return p.plane.rotation.col(2).dot(q.plane.rotation.col(2)) > 0. && squared < samePose * samePose;
+}
+// Refines both poses on a part of the pixels, and then on all of them what is worth it.
+std::vector<FittedPose> fitBoth(const std::vector<FitPixel> &pixels, const PosePair &poses,
+                                const MarkerPattern &pattern, const FitSettings &settings)
+{
+  const std::size_t stride = std::max<std::size_t>(1, pixels.size() / coarsePixels);
+  std::vector<FittedPose> fits;
+  for (const MarkerPlane &start : poses) {
+    if (const auto fit = fitPose(pixels, stride, {start, std::nullopt}, pattern, settings)) {
+      fits.push_back(*fit);
+    }
+  }
+  if (stride == 1 || fits.empty()) {
+    return fits;
+  }
+  double least = HUGE_VAL;
+  double noise = HUGE_VAL;
+  for (const FittedPose &fit : fits) {
+    least = std::min(least, fit.squares);
+    noise = std::min(noise, fit.noise);
+  }
+  for (FittedPose &fit : fits) {
+    if (fit.squares - least > 2. * hopelessOdds * noise * noise) {
+      continue;
+    }
+    if (const auto fine = fitPose(pixels, 1, {fit.plane, fit.photometry}, pattern, settings)) {
+      fit = *fine;
+    }
+  }
+  return fits;
 }
 } // namespace
 
@@ -56,12 +91,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   settings.spinIsKnown = pattern.sectors > 0;
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
   settings.mostIterations = refine ? settings.mostIterations : 0;
-  std::vector<FittedPose> fits;
-  for (const MarkerPlane &start : marker.poses) {
-    if (const auto fit = fitPose(pixels, start, pattern, settings)) {
-      fits.push_back(*fit);
-    }
-  }
+  std::vector<FittedPose> fits = fitBoth(pixels, marker.poses, pattern, settings);
   if (fits.empty()) {
     return std::nullopt;
   }
