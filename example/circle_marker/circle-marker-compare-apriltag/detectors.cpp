@@ -1,0 +1,200 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The detectors that are compared, as a user calls them.
+ */
+
+#include <algorithm>
+#include <cstddef>
+#include <ctime>
+#include <sstream>
+
+#include <visp3/core/vpConfig.h>
+#include <visp3/core/vpException.h>
+#include <visp3/detection/vpDetectorAprilTag.h>
+
+#include "detectors.h"
+
+namespace compare {
+namespace {
+/*! CPU time of this thread, seconds; of the process where the system does not tell threads apart. */
+double cpuTime()
+{
+#ifdef CLOCK_THREAD_CPUTIME_ID
+  timespec time;
+  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) == 0) {
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+#endif
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/*! Where an id is in a list, if it is there; a second marker of that id would be one too many. */
+std::optional<std::size_t> placeOf(int id, const std::vector<int> &ids)
+{
+  const auto place = std::find(ids.begin(), ids.end(), id);
+  return place == ids.end() ? std::nullopt : std::optional<std::size_t>(place - ids.begin());
+}
+
+unsigned int tooMany(const std::optional<std::size_t> &place, const std::vector<int> &ids)
+{
+  return static_cast<unsigned int>(ids.size()) - (place ? 1 : 0);
+}
+} // namespace
+
+CircleDetector::CircleDetector(const Settings &settings)
+    : m_size(settings.size), m_detector(vpCircleMarkerFamily::fromName(circleFamily))
+{
+  m_detector.setZAlignedWithCameraAxis(true);
+  m_detector.setNbThreads(1);
+}
+
+Sighting CircleDetector::look(const vpImage<unsigned char> &I, int id)
+{
+  Sighting sighting;
+  std::vector<vpHomogeneousMatrix> poses;
+  const double start = cpuTime();
+  m_detector.detect(I, m_size, referenceCamera(), poses);
+  sighting.cpuTime = cpuTime() - start;
+  const std::vector<int> ids = m_detector.getTagsId();
+  const auto place = placeOf(id, ids);
+  if (place) {
+    sighting.cMo = poses[*place];
+  }
+  sighting.wrongIds = tooMany(place, ids);
+  return sighting;
+}
+
+#if defined(VISP_HAVE_APRILTAG)
+
+namespace {
+constexpr vpDetectorAprilTag::vpPoseEstimationMethod poseMethods[] = {
+    vpDetectorAprilTag::HOMOGRAPHY,
+    vpDetectorAprilTag::HOMOGRAPHY_VIRTUAL_VS,
+    vpDetectorAprilTag::DEMENTHON_VIRTUAL_VS,
+    vpDetectorAprilTag::LAGRANGE_VIRTUAL_VS,
+    vpDetectorAprilTag::BEST_RESIDUAL_VIRTUAL_VS,
+    vpDetectorAprilTag::HOMOGRAPHY_ORTHOGONAL_ITERATION,
+};
+
+std::string nameOf(vpDetectorAprilTag::vpPoseEstimationMethod method)
+{
+  std::ostringstream name;
+  name << method;
+  return name.str();
+}
+
+vpDetectorAprilTag::vpPoseEstimationMethod poseMethodOf(const std::string &name)
+{
+  for (const auto method : poseMethods) {
+    if (nameOf(method) == name) {
+      return method;
+    }
+  }
+  throw vpException(vpException::badValue, "AprilTag has no pose method \"%s\"; use one of tagPoseMethods()",
+                    name.c_str());
+}
+} // namespace
+
+class AprilTagDetector::Impl
+{
+public:
+  Impl(const Settings &settings, float decimation)
+      : m_size(settings.tagSize()), m_detector(vpDetectorAprilTag::TAG_36h11, poseMethodOf(settings.tagPose))
+  {
+    m_detector.setAprilTagQuadDecimate(decimation);
+    m_detector.setAprilTagNbThreads(1);
+    m_detector.setZAlignedWithCameraAxis(true);
+  }
+
+  AprilTagSightings look(const vpImage<unsigned char> &I, int id)
+  {
+    const double start = cpuTime();
+    m_detector.detect(I);
+    const double searchTime = cpuTime() - start;
+    const std::vector<int> ids = m_detector.getTagsId();
+    const auto place = placeOf(id, ids);
+
+    Sighting none;
+    none.cpuTime = searchTime;
+    none.wrongIds = tooMany(place, ids);
+    AprilTagSightings sightings = {none, none};
+    if (place) {
+      addPose(*place, referenceCamera(), sightings.asDelivered);
+      addPose(*place, halfPixelCamera(), sightings.halfPixel);
+    }
+    return sightings;
+  }
+
+private:
+  void addPose(std::size_t place, const vpCameraParameters &cam, Sighting &sighting)
+  {
+    vpHomogeneousMatrix cMo;
+    const double start = cpuTime();
+    const bool hasPose = m_detector.getPose(place, m_size, cam, cMo);
+    sighting.cpuTime += cpuTime() - start;
+    if (hasPose) {
+      sighting.cMo = cMo;
+    }
+  }
+
+  double m_size;                 //!< Side of the black square, metres.
+  vpDetectorAprilTag m_detector; //!< ViSP's detector.
+};
+
+AprilTagDetector::AprilTagDetector(const Settings &settings, float decimation) : m_impl(new Impl(settings, decimation))
+{
+}
+
+AprilTagSightings AprilTagDetector::look(const vpImage<unsigned char> &I, int id)
+{
+  return m_impl->look(I, id);
+}
+
+std::vector<std::string> tagPoseMethods()
+{
+  std::vector<std::string> names;
+  for (const auto method : poseMethods) {
+    names.push_back(nameOf(method));
+  }
+  return names;
+}
+
+#else
+
+class AprilTagDetector::Impl
+{
+};
+
+AprilTagDetector::AprilTagDetector(const Settings &, float)
+{
+  throw vpException(vpException::functionNotImplementedError,
+                    "this ViSP was built without AprilTag; build it with WITH_APRILTAG");
+}
+
+AprilTagSightings AprilTagDetector::look(const vpImage<unsigned char> &, int)
+{
+  return AprilTagSightings();
+}
+
+std::vector<std::string> tagPoseMethods()
+{
+  return {};
+}
+
+#endif
+
+AprilTagDetector::AprilTagDetector(AprilTagDetector &&) noexcept = default;
+AprilTagDetector::~AprilTagDetector() = default;
+} // namespace compare

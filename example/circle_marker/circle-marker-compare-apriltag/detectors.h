@@ -1,0 +1,86 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The detectors that are compared, as a user calls them.
+ */
+
+#ifndef VP_COMPARE_DETECTORS_H
+#define VP_COMPARE_DETECTORS_H
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <visp3/circle_marker/vpDetectorCircleMarker.h>
+#include <visp3/core/vpHomogeneousMatrix.h>
+#include <visp3/core/vpImage.h>
+
+#include "experiment.h"
+
+namespace compare {
+/*! What a detector made of an image with one marker. */
+struct Sighting
+{
+  std::optional<vpHomogeneousMatrix> cMo; //!< Pose of the marker, z into it, metres; nothing: not found.
+  unsigned int wrongIds = 0;              //!< Markers found that are not there.
+  double cpuTime = 0.;                    //!< Of this thread for detection and pose, the image in memory, seconds.
+};
+
+/*! The circular markers of this project. Not to be used by two threads at once. */
+class CircleDetector
+{
+public:
+  explicit CircleDetector(const Settings &settings);
+
+  /*! Looks for the marker of an id. */
+  Sighting look(const vpImage<unsigned char> &I, int id);
+
+private:
+  double m_size;                     //!< Outer diameter of the ring, metres.
+  vpDetectorCircleMarker m_detector; //!< Settings and working memory.
+};
+
+/*! What vpDetectorAprilTag makes of an image: with the camera as it is, and corrected by half a pixel. */
+struct AprilTagSightings
+{
+  Sighting asDelivered, halfPixel;
+};
+
+/*! ViSP's AprilTag detector. Not to be used by two threads at once. */
+class AprilTagDetector
+{
+public:
+  /*!
+    \param decimation : 1, or 2 for the search at half the image's size.
+    \exception vpException::functionNotImplementedError : If ViSP was built without AprilTag.
+    \exception vpException::badValue : If the pose method is not known.
+  */
+  AprilTagDetector(const Settings &settings, float decimation);
+  AprilTagDetector(AprilTagDetector &&) noexcept;
+  ~AprilTagDetector();
+
+  /*! Looks for the marker of an id. The image is searched once; each pose is charged with the whole search. */
+  AprilTagSightings look(const vpImage<unsigned char> &I, int id);
+
+private:
+  class Impl;
+  std::unique_ptr<Impl> m_impl; //!< ViSP's detector, where there is one.
+};
+
+/*! The names of ViSP's ways from a tag's corners to its pose; empty if ViSP was built without AprilTag. */
+std::vector<std::string> tagPoseMethods();
+} // namespace compare
+
+#endif

@@ -1,0 +1,105 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What is compared: markers, camera, cells of poses, methods.
+ */
+
+#ifndef VP_COMPARE_EXPERIMENT_H
+#define VP_COMPARE_EXPERIMENT_H
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include <visp3/circle_marker/vpConfigCircleMarker.h>
+#include <visp3/core/vpCameraParameters.h>
+
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
+
+namespace compare {
+/*! A range of poses, as in the columns of the thesis's table 5.6. */
+struct Cell
+{
+  double maxTilt;     //!< Greatest angle between the marker's normal and the line of sight, degrees.
+  double maxDistance; //!< Greatest depth of the marker's centre, metres.
+};
+
+constexpr std::array<Cell, 5> cells = {{{30, 10.4}, {60, 10.4}, {60, 18.4}, {90, 10.4}, {90, 18.4}}};
+
+/*! Least depth of the marker's centre, metres: the thesis's. */
+constexpr double minDistance = 0.36;
+
+/*! The ways from an image to a pose that are compared. */
+enum class Method
+{
+  Circle,
+  AprilTag1,          //!< Decimation 1: the image as it is.
+  AprilTag1HalfPixel, //!< The same, with the principal point moved by half a pixel.
+  AprilTag2,          //!< Decimation 2: quadrilaterals are sought in the image at half its size.
+  AprilTag2HalfPixel
+};
+
+constexpr std::size_t methodCount = 5;
+constexpr std::array<const char *, methodCount> methodNames = {"circle", "apriltag-1", "apriltag-1-half-pixel",
+                                                               "apriltag-2", "apriltag-2-half-pixel"};
+
+constexpr std::size_t indexOf(Method method)
+{
+  return static_cast<std::size_t>(method);
+}
+
+/*! The reference camera of this project. */
+constexpr unsigned int imageWidth = 1280;
+constexpr unsigned int imageHeight = 960;
+constexpr double focalLength = 1600; // Pixels: an angle of view of 43.6 by 33.4 degrees.
+
+inline vpCameraParameters referenceCamera()
+{
+  return vpCameraParameters(focalLength, focalLength, 0.5 * (imageWidth - 1), 0.5 * (imageHeight - 1));
+}
+
+/*! AprilTag's image origin is the corner of the first pixel, ViSP's its centre: what AprilTag measures lies there. */
+inline vpCameraParameters halfPixelCamera()
+{
+  return vpCameraParameters(focalLength, focalLength, 0.5 * imageWidth, 0.5 * imageHeight);
+}
+
+constexpr const char *circleFamily = "golay23";
+constexpr int circleIds = 178;
+constexpr const char *tagFamily = "36h11";
+constexpr int tagIds = 10; // Those the simulated camera knows.
+
+/*! What the command line fixes. */
+struct Settings
+{
+  std::string output;                            //!< Folder.
+  unsigned int frames = 100;                     //!< Of each cell.
+  std::uint64_t seed = 1;                        //!< Of poses, ids and noise.
+  unsigned int threads = 1;                      //!< More than one disturb the CPU times.
+  double size = 0.18;                            //!< Outer diameter of the circle's ring, metres.
+  double noise = 2.;                             //!< Standard deviation, grey levels.
+  double blur = 0.7;                             //!< Standard deviation, pixels.
+  std::string tagPose = "HOMOGRAPHY_VIRTUAL_VS"; //!< One of tagPoseMethods().
+
+  /*! Side of both markers' square sheet, metres: the ring and a quiet zone of R/6. */
+  double sheetSide() const { return size * (1. + 1. / 6.); }
+  /*! Side of the tag's black square, metres: 8 of the 10 cells that fill the sheet. */
+  double tagSize() const { return 0.8 * sheetSide(); }
+};
+} // namespace compare
+
+#endif

@@ -1,0 +1,46 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * A line on the terminal that tells how far the work is.
+ */
+
+#ifndef VP_COMPARE_PROGRESS_H
+#define VP_COMPARE_PROGRESS_H
+
+#include <chrono>
+#include <cstddef>
+
+namespace compare {
+/*! Writes to the standard error if it is a terminal, and not more often than a reader can follow. */
+class ProgressLine
+{
+public:
+  ProgressLine();
+  ProgressLine(const ProgressLine &) = delete;
+  ProgressLine &operator=(const ProgressLine &) = delete;
+  ~ProgressLine();
+
+  /*! Shows how much is done, and the time left if the rest takes as long in proportion. */
+  void show(std::size_t done, std::size_t all);
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  bool m_isTerminal;         //!< Whether anybody reads it.
+  Clock::time_point m_start; //!< When the work began.
+  Clock::time_point m_last;  //!< When the line was last written.
+};
+} // namespace compare
+
+#endif
