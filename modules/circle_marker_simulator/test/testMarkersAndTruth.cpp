@@ -12,13 +12,11 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Codes, prints and ground truth of the simulated markers, and AprilTags as ViSP's detector reads them.
+ * Codes, prints and ground truth of the simulated markers.
  */
 
 #include <algorithm>
 #include <array>
-
-#include <visp3/detection/vpDetectorAprilTag.h>
 
 #include "outline.h"
 #include "test_support.h"
@@ -220,48 +218,6 @@ TEST(Outlines, PartsAddUpAndStayClosed)
     for (int k = 0; k < 20; ++k) {
       const PlanePoint p = {uniform(random, -3., 3.), uniform(random, -3., 3.)};
       ASSERT_EQ(isInside(without, p), isInside(a, p) && !isInside(b, p));
-    }
-  }
-}
-
-TEST(AprilTags, ReadByViSPsDetector)
-{
-  std::mt19937_64 random = seededFromTestName();
-  const vpCameraParameters cam = pinhole(1280, 960);
-  // AprilTag counts pixels from their corners and ViSP does not correct for it: its points lie half a pixel further.
-  vpCameraParameters shifted;
-  shifted.initPersProjWithoutDistortion(1600., 1600., 640., 480.);
-  vpDetectorAprilTag detector(vpDetectorAprilTag::TAG_36h11);
-  detector.setAprilTagQuadDecimate(1.f);
-  detector.setZAlignedWithCameraAxis(true);
-  for (int id = 0; id < 10; ++id) {
-    vpMarkerSceneSimulator simulator(cam, 1280, 960);
-    const double azimuth = uniform(random, 0., 2. * M_PI);
-    const double spin = uniform(random, 0., 2. * M_PI);
-    const vpHomogeneousMatrix cMo =
-        tiltedPose(uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1), 1., 0.6, azimuth, spin);
-    simulator.addMarker(vpSimulatedMarker::aprilTag36h11(id, 0.168).setPose(cMo));
-    vpImage<unsigned char> I;
-    simulator.render(I, id);
-    std::vector<vpHomogeneousMatrix> poses;
-    ASSERT_TRUE(detector.detect(I, 0.168, shifted, poses)) << "id " << id;
-    ASSERT_EQ(poses.size(), 1u);
-    EXPECT_EQ(detector.getMessage(0), "36h11 id: " + std::to_string(id));
-    const vpHomogeneousMatrix error = poses[0] * cMo.inverse();
-    EXPECT_LT(vpThetaUVector(error.getRotationMatrix()).getTheta(), vpMath::rad(0.5)) << "id " << id;
-    EXPECT_LT((poses[0].getTranslationVector() - cMo.getTranslationVector()).frobeniusNorm(), 0.002) << "id " << id;
-    // The black square's corners, half a pixel corrected; the detector is good to a tenth of a pixel or so.
-    for (const vpImagePoint &corner : detector.getPolygon(0)) {
-      double nearest = 1e9;
-      for (const double x : {-0.084, 0.084}) {
-        for (const double y : {-0.084, 0.084}) {
-          const vpImagePoint p =
-              simulator.project(cMo[0][0] * x + cMo[0][1] * y + cMo[0][3], cMo[1][0] * x + cMo[1][1] * y + cMo[1][3],
-                                cMo[2][0] * x + cMo[2][1] * y + cMo[2][3]);
-          nearest = std::min(nearest, vpImagePoint::distance(corner, p + vpImagePoint(0.5, 0.5)));
-        }
-      }
-      EXPECT_LT(nearest, 0.2) << "id " << id;
     }
   }
 }
