@@ -17,6 +17,7 @@
 
 #include "decode/recognise.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "decode/radial_profile.h"
@@ -28,15 +29,30 @@ namespace
 {
 // The radial profile of a blurred thin ring keeps this share of the step across the outline.
 constexpr double shareOfContrast = 0.3;
-// A ring whose measured inner radius is this near to the family's own is taken for one of that family's ratio; the
-// profile of a ring of 20 pixels is good to 0.03.
-constexpr double sameRatio = 0.04;
+// A ring whose measured inner radius is this near to the family's own is taken for one of that family's ratio: by the
+// steps of the profile, and by the blur of its inner edge in pixels, which matters on small rings.
+constexpr double sameRatio = 0.03;
+constexpr double sameRatioPixels = 0.8;
 
 // Turns the second pose so that its x axis has the image direction of the first pose's x axis.
 void copySpin(const MarkerPlane &from, MarkerPlane &to)
 {
   const Eigen::Vector2d onTo = to.intersect(from.project(Eigen::Vector2d(1., 0.)));
   to.spin(std::atan2(onTo.y(), onTo.x()));
+}
+
+// Least distance from the image of the marker's centre to that of its outer edge, pixels.
+double semiMinor(const CameraModel &camera, const MarkerPlane &plane)
+{
+  constexpr int directions = 16;
+  const Eigen::Vector2d center = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
+  double least = HUGE_VAL;
+  for (int i = 0; i < directions; ++i) {
+    const double angle = 2. * M_PI * i / directions;
+    const Eigen::Vector2d edge = camera.toPixel(plane.project(Eigen::Vector2d(std::cos(angle), std::sin(angle))));
+    least = std::min(least, (edge - center).norm());
+  }
+  return least;
 }
 
 std::optional<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraModel &camera,
@@ -85,7 +101,8 @@ std::optional<Recognition> recogniseShape(const vpImage<unsigned char> &I, const
   result.family = family;
   result.code.margin = 1.;
   const double nominal = family.getLayout().ringInner;
-  result.ringInner = std::abs(*inner - nominal) < sameRatio ? nominal : *inner;
+  const double slack = sameRatio + sameRatioPixels / semiMinor(camera, poses[0]);
+  result.ringInner = std::abs(*inner - nominal) < slack ? nominal : *inner;
   result.poses = poses;
   return result;
 }

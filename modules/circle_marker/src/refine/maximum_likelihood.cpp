@@ -240,10 +240,10 @@ private:
     return m_settings.growth ? noise * noise * u * u : 0.;
   }
 
-  // Prior on the growth of black; parameters that are not fitted are held.
+  // Prior on the growth of black; parameters that are not fitted are taken out of the equations, and a 1 (or for the
+  // spin, something of the other angles' size) on the diagonal keeps them solvable.
   void constrain(const MarkerPlane &plane, const Photometry &photometry, double noise, Equations &equations) const
   {
-    const double hold = 1e6 * (equations.matrix.trace() + 1.);
     if (m_settings.growth) {
       const double weight = noise * noise / (growthPrior * growthPrior);
       equations.matrix(growthAt, growthAt) += weight;
@@ -251,11 +251,19 @@ private:
       equations.cost += priorCost(photometry, noise);
     }
     else {
-      equations.matrix(growthAt, growthAt) += hold;
+      equations.matrix.row(growthAt).setZero();
+      equations.matrix.col(growthAt).setZero();
+      equations.matrix(growthAt, growthAt) = 1.;
+      equations.right[growthAt] = 0.;
     }
     if (!m_settings.spinIsKnown) {
       const Eigen::Vector3d normal = plane.rotation.col(2);
-      equations.matrix.block<3, 3>(3, 3) += hold * normal * normal.transpose();
+      const Eigen::Matrix3d withoutSpin = Eigen::Matrix3d::Identity() - normal * normal.transpose();
+      const double size = equations.matrix.block<3, 3>(3, 3).trace() + 1.;
+      equations.matrix.middleRows<3>(3) = (withoutSpin * equations.matrix.middleRows<3>(3)).eval();
+      equations.matrix.middleCols<3>(3) = (equations.matrix.middleCols<3>(3) * withoutSpin).eval();
+      equations.matrix.block<3, 3>(3, 3) += size * normal * normal.transpose();
+      equations.right.segment<3>(3) = (withoutSpin * equations.right.segment<3>(3)).eval();
     }
   }
 

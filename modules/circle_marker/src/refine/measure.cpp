@@ -30,6 +30,8 @@ namespace
 // A marker's image agrees with its model to better than this correlation, even with noise of a third of the contrast;
 // without refinement the start is worth less.
 constexpr double leastCorrelation = 0.85;
+// A marker without a code has its shape alone to prove itself.
+constexpr double leastCorrelationWithoutCode = 0.94;
 constexpr double leastCorrelationUnrefined = 0.6;
 // Share of the pixels that the model must explain.
 constexpr double leastInliers = 0.5;
@@ -104,7 +106,8 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     fit.squares = robustSquares(pixels, fit, pattern, noise);
   }
   std::sort(fits.begin(), fits.end(), [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; });
-  const double least = refine ? leastCorrelation : leastCorrelationUnrefined;
+  const double refined = pattern.sectors > 0 ? leastCorrelation : leastCorrelationWithoutCode;
+  const double least = refine ? refined : leastCorrelationUnrefined;
   if (fits[0].correlation < least || fits[0].inliers < leastInliers) {
     return std::nullopt;
   }
