@@ -1,0 +1,162 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Cutting chains into arcs that may belong to an ellipse.
+ */
+
+#include "testRoomTools.h"
+
+#include <algorithm>
+
+#include "edges/convex_arcs.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+using Arcs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+//! Points about a pixel apart on an arc, walked with the angle growing (dark inside) or falling.
+void appendArc(std::vector<EdgePoint> &points, const Eigen::Vector2d &center, double radius, double from, double to)
+{
+  const int count = static_cast<int>(std::fabs(to - from) * radius);
+  for (int i = 0; i < count; ++i) {
+    const double angle = from + (to - from) * i / count;
+    const Eigen::Vector2d outward(std::cos(angle), std::sin(angle));
+    points.push_back({center + radius * outward, outward});
+  }
+}
+
+void appendLine(std::vector<EdgePoint> &points, const Eigen::Vector2d &from, const Eigen::Vector2d &to)
+{
+  const int count = static_cast<int>((to - from).norm());
+  const Eigen::Vector2d along = (to - from) / count;
+  for (int i = 0; i < count; ++i) {
+    points.push_back({from + i * along, Eigen::Vector2d(along.y(), -along.x())});
+  }
+}
+
+void shake(std::vector<EdgePoint> &points, Random &random, double sigma)
+{
+  std::normal_distribution<double> normal(0., sigma);
+  for (EdgePoint &point : points) {
+    point.position += Eigen::Vector2d(normal(random), normal(random));
+  }
+}
+
+Arcs arcsOf(const std::vector<EdgePoint> &points)
+{
+  Arcs arcs = {{7, 9}}; // left over from before
+  cutConvexArcs(points, arcs);
+  return arcs;
+}
+} // namespace
+
+TEST(ConvexArcs, AreaAndItsSign)
+{
+  std::vector<EdgePoint> points;
+  EXPECT_EQ(doubledArea(points), 0.);
+  appendArc(points, Eigen::Vector2d(500., 300.), 40., 0., 2. * M_PI);
+  EXPECT_NEAR(doubledArea(points), 2. * M_PI * 1600., 0.001 * 2. * M_PI * 1600.);
+  std::reverse(points.begin(), points.end());
+  EXPECT_NEAR(doubledArea(points), -2. * M_PI * 1600., 0.001 * 2. * M_PI * 1600.);
+  std::vector<EdgePoint> square;
+  for (const Eigen::Vector2d &corner :
+       {Eigen::Vector2d(10., 10.), Eigen::Vector2d(13., 10.), Eigen::Vector2d(13., 14.), Eigen::Vector2d(10., 14.)}) {
+    square.push_back({corner, Eigen::Vector2d::UnitX()});
+  }
+  EXPECT_DOUBLE_EQ(doubledArea(square), 24.);
+}
+
+TEST(ConvexArcs, ArcsOfCirclesStayWhole)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 200; ++i) {
+    std::vector<EdgePoint> points;
+    const double radius = uniform(random, 10., 200.);
+    const double from = uniform(random, 0., 2. * M_PI);
+    appendArc(points, Eigen::Vector2d(300., 300.), radius, from, from + uniform(random, 1.8, 6.));
+    shake(points, random, 0.05);
+    if (points.size() < 40) {
+      continue;
+    }
+    const Arcs arcs = arcsOf(points);
+    ASSERT_EQ(arcs.size(), 1u) << "radius " << radius;
+    EXPECT_EQ(arcs[0].first, 0u);
+    EXPECT_EQ(arcs[0].second, points.size());
+  }
+}
+
+TEST(ConvexArcs, BrightInsideGivesNone)
+{
+  for (const double radius : {8., 20., 40.}) {
+    std::vector<EdgePoint> points;
+    appendArc(points, Eigen::Vector2d(300., 300.), radius, 0., -5.);
+    EXPECT_TRUE(arcsOf(points).empty()) << radius;
+  }
+}
+
+TEST(ConvexArcs, StraightLinesAndShortArcsGiveNone)
+{
+  Random random = randomOfTest();
+  std::vector<EdgePoint> line;
+  appendLine(line, Eigen::Vector2d(10., 10.), Eigen::Vector2d(200., 90.));
+  shake(line, random, 0.1);
+  EXPECT_TRUE(arcsOf(line).empty());
+  std::vector<EdgePoint> few;
+  appendArc(few, Eigen::Vector2d(30., 30.), 4., 0., 3.);
+  EXPECT_TRUE(arcsOf(few).empty());
+  EXPECT_TRUE(arcsOf({}).empty());
+  // A shallow bend fixes no ellipse.
+  std::vector<EdgePoint> shallow;
+  appendArc(shallow, Eigen::Vector2d(0., 0.), 200., 0., 0.5);
+  EXPECT_TRUE(arcsOf(shallow).empty());
+}
+
+TEST(ConvexArcs, ALetterSIsCutAtItsWaist)
+{
+  // Half a turn to one side, half a turn to the other: the first half is dark inside.
+  std::vector<EdgePoint> points;
+  appendArc(points, Eigen::Vector2d(100., 100.), 20., 0., M_PI);
+  const std::size_t waist = points.size();
+  appendArc(points, Eigen::Vector2d(60., 100.), 20., 0., -M_PI);
+  const Arcs arcs = arcsOf(points);
+  ASSERT_EQ(arcs.size(), 1u);
+  EXPECT_EQ(arcs[0].first, 0u);
+  EXPECT_NEAR(static_cast<double>(arcs[0].second), static_cast<double>(waist), 6.);
+}
+
+TEST(ConvexArcs, TwoDiscsThatTouchAreTwoArcs)
+{
+  // The outline of two overlapping discs has two sharp corners that bend the wrong way.
+  std::vector<EdgePoint> points;
+  appendArc(points, Eigen::Vector2d(100., 100.), 30., -M_PI / 2., M_PI * 1.25);
+  const std::size_t corner = points.size();
+  appendArc(points, Eigen::Vector2d(100. - 30. * M_SQRT2, 100.), 30., M_PI * -0.25 + M_PI / 2. + 0.01, M_PI * 1.5);
+  const Arcs arcs = arcsOf(points);
+  ASSERT_EQ(arcs.size(), 2u);
+  EXPECT_NEAR(static_cast<double>(arcs[0].second), static_cast<double>(corner), 6.);
+  EXPECT_NEAR(static_cast<double>(arcs[1].first), static_cast<double>(corner), 6.);
+  EXPECT_EQ(arcs[1].second, points.size());
+}
+
+TEST(ConvexArcs, SquaresAreCutAtTheirCorners)
+{
+  std::vector<EdgePoint> points;
+  const Eigen::Vector2d corners[] = {{50., 50.}, {120., 50.}, {120., 120.}, {50., 120.}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    appendLine(points, corners[i], corners[(i + 1) % 4]);
+  }
+  EXPECT_TRUE(arcsOf(points).empty());
+}

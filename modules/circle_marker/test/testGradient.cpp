@@ -1,0 +1,160 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The noise estimate, and the thresholds of the gradient that follow it.
+ */
+
+#include "testRoomTools.h"
+
+#include <opencv2/core.hpp>
+
+#include "segment/gradient.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+double noiseOf(vpImage<unsigned char> &I)
+{
+  return estimateNoise(cv::Mat(static_cast<int>(I.getHeight()), static_cast<int>(I.getWidth()), CV_8U, I.bitmap));
+}
+
+//! Grey plane, tilted by some grey levels a pixel.
+vpImage<double> plane(unsigned int width, unsigned int height, double grey, double byU, double byV)
+{
+  vpImage<double> I(height, width);
+  for (unsigned int v = 0; v < height; ++v) {
+    for (unsigned int u = 0; u < width; ++u) {
+      I[v][u] = grey + byU * (u - 0.5 * width) + byV * (v - 0.5 * height);
+    }
+  }
+  return I;
+}
+
+// Standard deviation of the noise with the rounding to whole grey levels.
+double withRounding(double sigma)
+{
+  return std::sqrt(sigma * sigma + 1. / 12.);
+}
+} // namespace
+
+TEST(Gradient, NoiseOfFlatImages)
+{
+  Random random = randomOfTest();
+  for (double sigma = 1.; sigma <= 20.; sigma *= 1.13) {
+    vpImage<unsigned char> I = digitise(plane(1280, 960, 127.3, 0., 0.), sigma, random);
+    EXPECT_NEAR(noiseOf(I), withRounding(sigma), 0.05 * sigma) << "sigma " << sigma;
+  }
+}
+
+TEST(Gradient, NoiseOfTiltedImages)
+{
+  Random random = randomOfTest();
+  for (double sigma = 1.; sigma <= 20.; sigma *= 1.17) {
+    // 60 sigma of 20 are 20 grey levels short of the range's ends in the corners: no clamping that counts.
+    const double slope = uniform(random, -0.06, 0.06);
+    vpImage<unsigned char> I = digitise(plane(1280, 960, 127., slope, 0.5 * slope), sigma, random);
+    EXPECT_NEAR(noiseOf(I), withRounding(sigma), 0.05 * sigma) << "sigma " << sigma << " slope " << slope;
+  }
+}
+
+TEST(Gradient, StepsAreNoNoise)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 10; ++i) {
+    // A straight edge and a disc: the median must not see them.
+    const double angle = uniform(random, 0., 2. * M_PI);
+    const EllipseScene disc = {Eigen::Vector2d(160., 120.), 60., 40., angle};
+    const vpImage<double> exposed = expose(
+        320, 240, 0.8,
+        [&](double u, double v) {
+          return 0.5 * disc(u, v) + ((u - 100.) * std::cos(angle) + (v - 90.) * std::sin(angle) > 0. ? 100. : 0.);
+        },
+        4);
+    vpImage<unsigned char> clean = digitise(exposed, 0., random);
+    EXPECT_LT(noiseOf(clean), 0.1);
+    // Coarse: an image of 320 x 240 has only 1200 samples, which fix a median to 3.4 %.
+    vpImage<unsigned char> noisy = digitise(exposed, 5., random);
+    EXPECT_NEAR(noiseOf(noisy), withRounding(5.), 0.13 * 5.);
+  }
+}
+
+TEST(Gradient, PureNoiseStartsNothing)
+{
+  Random random = randomOfTest();
+  for (const double sigma : {0.5, 3., 12.}) {
+    const vpImage<unsigned char> I = digitise(plane(640, 480, 127., 0., 0.), sigma, random);
+    Gradient gradient;
+    computeGradient(I, gradient);
+    int starts = 0;
+    int continued = 0;
+    for (int y = 0; y < 480; ++y) {
+      for (int x = 0; x < 640; ++x) {
+        const int squared = gradient.squaredMagnitude(x, y);
+        starts += squared >= gradient.startAt * gradient.startAt;
+        continued += squared >= gradient.continueAbove * gradient.continueAbove;
+      }
+    }
+    EXPECT_EQ(starts, 0) << "sigma " << sigma;
+    EXPECT_LT(continued, 640 * 480 / 1000) << "sigma " << sigma;
+    EXPECT_LT(gradient.continueAbove, gradient.startAt);
+  }
+}
+
+TEST(Gradient, ThresholdsFollowTheNoise)
+{
+  Random random = randomOfTest();
+  Gradient gradient;
+  double previous = 0.;
+  for (const double sigma : {4., 8., 16.}) {
+    computeGradient(digitise(plane(1280, 960, 127., 0., 0.), sigma, random), gradient);
+    if (previous > 0.) {
+      EXPECT_NEAR(gradient.startAt / previous, 2., 0.1);
+    }
+    previous = gradient.startAt;
+  }
+}
+
+TEST(Gradient, LeastStepWithoutNoise)
+{
+  // A sharp vertical step of 7 grey levels starts a chain, one of 6 does not; 4 goes on, 3 does not.
+  Gradient gradient;
+  for (int step = 1; step <= 12; ++step) {
+    vpImage<unsigned char> I(64, 64, 100);
+    for (unsigned int v = 0; v < 64; ++v) {
+      for (unsigned int u = 32; u < 64; ++u) {
+        I[v][u] = static_cast<unsigned char>(100 + step);
+      }
+    }
+    computeGradient(I, gradient);
+    EXPECT_EQ(gradient.dx.at<short>(30, 32), 4 * step);
+    EXPECT_EQ(gradient.dy.at<short>(30, 32), 0);
+    EXPECT_EQ(gradient.squaredMagnitude(32, 30) >= gradient.startAt * gradient.startAt, step >= 7) << step;
+    EXPECT_EQ(gradient.squaredMagnitude(32, 30) >= gradient.continueAbove * gradient.continueAbove, step >= 4) << step;
+  }
+}
+
+TEST(Gradient, PointsToTheBrightSide)
+{
+  Gradient gradient;
+  const EllipseScene disc = {Eigen::Vector2d(40., 40.), 20., 20., 0.};
+  computeGradient(photograph(80, 80, 0.7, disc), gradient);
+  for (int k = 0; k < 16; ++k) {
+    const double angle = 2. * M_PI * k / 16.;
+    const int x = static_cast<int>(std::lround(40. + 20. * std::cos(angle)));
+    const int y = static_cast<int>(std::lround(40. + 20. * std::sin(angle)));
+    const Eigen::Vector2d g(gradient.dx.at<short>(y, x), gradient.dy.at<short>(y, x));
+    EXPECT_GT(g.normalized().dot(Eigen::Vector2d(std::cos(angle), std::sin(angle))), 0.98);
+  }
+}
