@@ -110,16 +110,16 @@ mapfile -t tests < <(find "$root"/modules/*/test -name '*.cpp' -exec basename {}
 # A program is one file or a folder of files; common/ is what programs share.
 mapfile -t programs < <(cd "$root" && find tutorial/circle_marker example/circle_marker -name '*.cpp' |
                         cut -d/ -f3 | sed 's/\.cpp$//' | grep -vx common | sort -u)
-for target in visp_circle_marker visp_circle_marker_simulator "${tests[@]}" "${programs[@]}"; do
+servo=tutorial-circle-marker-pbvs
+for target in visp_circle_marker visp_circle_marker_simulator $servo "${tests[@]}" "${programs[@]}"; do
   has_target "$target" || { echo "in-tree.sh: ViSP's build does not know the target $target" >&2; exit 1; }
 done
 
 cmake --build "$build" -j"$(nproc)" --target \
       visp_circle_marker visp_circle_marker_simulator "${tests[@]}" "${programs[@]}"
 
-servo=$(find "$build" -name tutorial-circle-marker-pbvs -type f -perm -u+x | head -n 1)
-[[ -n $servo ]] || { echo "in-tree.sh: tutorial-circle-marker-pbvs was not built" >&2; exit 1; }
-"$servo" --detector both --display-off --output "$work/servo"
+# ViSP's versions put the programs of a tutorial into different folders.
+"$(find "$build" -name $servo -type f -perm -u+x | head -n 1)" --detector both --display-off --output "$work/servo"
 
 pattern=$(IFS='|'; echo "${tests[*]}")
 log=$work/ctest-output.txt
