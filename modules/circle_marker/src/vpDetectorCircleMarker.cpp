@@ -24,12 +24,10 @@
 #include <visp3/core/vpTime.h>
 
 #include "decode/recognise.h"
-#include "ellipse/ellipse_candidates.h"
+#include "ellipse/outlines.h"
 #include "pose/hypotheses.h"
 #include "refine/measure.h"
 #include "refine/report.h"
-#include "segment/edge_chains.h"
-#include "segment/gradient.h"
 #include "support/detector_settings.h"
 
 BEGIN_VISP_NAMESPACE
@@ -38,8 +36,6 @@ using namespace circle_marker;
 
 namespace
 {
-// The outline of the smallest marker that can be read, with a minor axis of 4 pixels, has 20 pixels.
-constexpr std::size_t shortestChain = 14;
 // Points of the polygon that vpDetectorBase keeps of each object.
 constexpr unsigned int polygonPoints = 36;
 // Size of a marker whose size was not told: poses are then in units of its diameter.
@@ -80,10 +76,7 @@ public:
     m_recognised.clear();
     detections.clear();
     const CameraModel camera(cam);
-    computeGradient(I, m_gradient);
-    linkEdgeChains(m_gradient, shortestChain, m_chains);
-    findEllipses(I, m_gradient, m_chains, m_candidates);
-    for (const EllipseCandidate &candidate : m_candidates) {
+    for (const EllipseCandidate &candidate : findOutlines(I, m_outlines)) {
       if (vpTime::measureTimeMs() > deadline) {
         break;
       }
@@ -180,9 +173,7 @@ private:
     return true;
   }
 
-  Gradient m_gradient;
-  EdgeChains m_chains;
-  std::vector<EllipseCandidate> m_candidates;
+  OutlineMemory m_outlines;
   std::vector<Found> m_recognised; // one for each detection
   std::vector<FitPixel> m_pixels;
 };

@@ -36,6 +36,8 @@ constexpr double leastAxisRatio = 0.08;
 // with size and leaves room for lens distortion (2 pixels on a ring of radius 300).
 constexpr double fitTolerance = 0.4;
 constexpr double fitToleranceOfSize = 0.006;
+// Of longer chains only every second, third... point is fitted: more do not make a better start.
+constexpr std::size_t mostFitPoints = 200;
 // Share of the outline along which an edge must be found.
 constexpr double leastSupport = 0.5;
 // Points along a completed outline: one a pixel, no more than 256 (enough to start the refinement from).
@@ -51,7 +53,8 @@ std::optional<EllipseCandidate> fitPoints(const EdgePoint *points, std::size_t c
                                           std::vector<Eigen::Vector2d> &buffer)
 {
   buffer.clear();
-  for (std::size_t i = 0; i < count; ++i) {
+  const std::size_t stride = 1 + count / mostFitPoints;
+  for (std::size_t i = 0; i < count; i += stride) {
     buffer.push_back(points[i].position);
   }
   const auto conic = fitEllipse(buffer.data(), buffer.size());
@@ -146,12 +149,6 @@ double medianContrast(const vpImage<unsigned char> &I, const EllipseCandidate &c
   }
   std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
   return steps[steps.size() / 2];
-}
-
-bool sameEllipse(const EllipseParameters &p, const EllipseParameters &q)
-{
-  const double slack = 1. + sameOutline * std::min(p.b, q.b);
-  return (p.center - q.center).norm() < slack && std::abs(p.a - q.a) < slack && std::abs(p.b - q.b) < slack;
 }
 
 class Finder
@@ -252,7 +249,7 @@ private:
       return EllipseReject::NOT_DARK_INSIDE;
     }
     for (EllipseCandidate &known : m_candidates) {
-      if (sameEllipse(known.ellipse, candidate.ellipse)) {
+      if (isSameOutline(known.ellipse, candidate.ellipse)) {
         if (candidate.support > known.support) {
           known = candidate;
         }
@@ -271,6 +268,12 @@ private:
   std::vector<EdgePoint> m_kept;
 };
 } // namespace
+
+bool isSameOutline(const EllipseParameters &p, const EllipseParameters &q)
+{
+  const double slack = 1. + sameOutline * std::min(p.b, q.b);
+  return (p.center - q.center).norm() < slack && std::abs(p.a - q.a) < slack && std::abs(p.b - q.b) < slack;
+}
 
 void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgeChains &chains,
                   std::vector<EllipseCandidate> &candidates)

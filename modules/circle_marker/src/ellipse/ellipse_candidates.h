@@ -48,6 +48,9 @@ struct EllipseCandidate
   double contrast = 0.;          //!< Median step from the dark band to the outside, grey levels.
 };
 
+/*! Whether two ellipses are one outline, to a tenth of their size and a pixel. */
+bool isSameOutline(const EllipseParameters &p, const EllipseParameters &q);
+
 /*!
   Finds the ellipses among the edge chains of an image. A closed chain is fitted as it is; the others are cut where they
   bend the wrong way or sharply, and the ellipse fitted to an arc is completed by searching its whole outline for edges.

@@ -27,12 +27,10 @@ namespace circle_marker
 {
 namespace
 {
-// Half-width of the band of pixels along an edge, pixels: beyond three times a common blur (0.75) an edge has no slope.
-constexpr double band = 2.5;
+// Half-width of the band of pixels along an edge, in units of the blur: beyond, an edge has no slope.
+constexpr double bandOfBlur = 3.2;
 // A pixel that may see more than this share of what lies beyond the quiet zone is not used.
 constexpr double mostSurround = 0.3;
-// Blur by which the surround reaches into the quiet zone, pixels: lens 0.75 and pixel area 0.29.
-constexpr double surroundBlur = 0.8;
 // Of the flat areas, one pixel in 16 is enough to know their level.
 constexpr unsigned int flatStride = 4;
 // Number of pixels from which a marker is thinned. At 3000 pixels the least error of a marker of 200 pixels diameter
@@ -89,9 +87,11 @@ double edgeLength(const MarkerPattern &pattern, double meanRadius)
 } // namespace
 
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                  std::size_t count, const MarkerPattern &pattern, double quietZone, std::vector<FitPixel> &pixels)
+                  std::size_t count, const MarkerPattern &pattern, double blur, double quietZone,
+                  std::vector<FitPixel> &pixels)
 {
   pixels.clear();
+  const double band = bandOfBlur * blur;
   const double outermost = 1. + quietZone;
   const Box box = boundingBox(I, camera, planes, count, outermost);
   const Eigen::Vector2d center = camera.toPixel(planes[0].project(Eigen::Vector2d::Zero()));
@@ -116,7 +116,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
         distance = std::min(distance, here.toEdges);
         const double toSurround = (outermost - here.radius) / here.radiusPerPixel;
         pixel.surround =
-            std::max(pixel.surround, NormalDistribution::instance().at(-toSurround / surroundBlur).cumulative);
+            std::max(pixel.surround, NormalDistribution::instance().at(-toSurround / blur).cumulative);
         inside = pixel.surround < mostSurround;
       }
       if (!inside || (distance > band && !flatSample)) {

@@ -44,11 +44,13 @@ struct FitPixel
   \param camera : Its camera.
   \param planes, count : The hypotheses.
   \param pattern : The print.
+  \param blur : Blur expected at the edges, pixels: the width of the band around them.
   \param quietZone : Width of the white margin, in units of the outer radius: nothing beyond it is used.
   \param pixels : The result; its memory is used again.
 */
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                  std::size_t count, const MarkerPattern &pattern, double quietZone, std::vector<FitPixel> &pixels);
+                  std::size_t count, const MarkerPattern &pattern, double blur, double quietZone,
+                  std::vector<FitPixel> &pixels);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

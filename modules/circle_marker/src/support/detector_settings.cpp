@@ -20,6 +20,7 @@
 #include <visp3/core/vpException.h>
 
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
 
@@ -27,34 +28,98 @@
 #endif
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
-namespace
-{
+namespace {
 using Json = nlohmann::json;
+
+[[noreturn]] void refuse(const std::string &key, const std::string &wanted)
+{
+  throw vpException(vpException::badValue, "\"%s\" must be %s", key.c_str(), wanted.c_str());
+}
+
+// The library would turn -1 and 1.5 into whole numbers of its own.
+unsigned int readCount(const std::string &key, const Json &value, unsigned int least)
+{
+  constexpr unsigned int most = 1000; // threads or sectors: more is a mistake
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() < least || value.get<std::uint64_t>() > most) {
+    refuse(key, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+  }
+  return value.get<unsigned int>();
+}
+
+// A family is its name, or for a ring of its own ratio {"name": "ring", "ratio": 0.65}.
+vpCircleMarkerFamily readFamily(const Json &value)
+{
+  if (!value.is_object()) {
+    return vpCircleMarkerFamily::fromName(value.get<std::string>());
+  }
+  if (value.size() != 2 || value.at("name") != "ring") {
+    refuse("families", "names, or {\"name\": \"ring\", \"ratio\": ...}");
+  }
+  return vpCircleMarkerFamily::ring(value.at("ratio").get<double>());
+}
+
+Json written(const vpCircleMarkerFamily &family)
+{
+  const double ratio = family.getLayout().ringInner;
+  if (family.getType() != vpCircleMarkerFamily::RING ||
+      ratio == vpCircleMarkerFamily(vpCircleMarkerFamily::RING).getLayout().ringInner) {
+    return family.getName();
+  }
+  return Json{{"name", family.getName()}, {"ratio", ratio}};
+}
+
+std::vector<vpCircleMarkerFamily> readFamilies(const std::string &key, const Json &value)
+{
+  if (!value.is_array() || value.empty()) {
+    refuse(key, "a list of at least one family");
+  }
+  std::vector<vpCircleMarkerFamily> families;
+  for (const Json &family : value) {
+    families.push_back(readFamily(family));
+  }
+  return families;
+}
+
+std::map<int, double> readSizes(const std::string &key, const Json &value)
+{
+  if (!value.is_object()) {
+    refuse(key, "an object with ids as keys and metres as values");
+  }
+  std::map<int, double> sizes;
+  for (const auto &[name, size] : value.items()) {
+    std::size_t used = 0;
+    const int id = std::stoi(name, &used);
+    if (used != name.size() || !(size.get<double>() > 0.)) {
+      refuse(key, "an object with ids as keys and positive metres as values, not \"" + name + "\": " + size.dump());
+    }
+    sizes[id] = size.get<double>();
+  }
+  return sizes;
+}
 
 void read(const Json &json, DetectorSettings &settings)
 {
+  if (!json.is_object()) {
+    throw vpException(vpException::badValue, "it must hold one JSON object");
+  }
   // Each key with what takes its value, so that a misspelt key is an error and not silently ignored.
   for (const auto &[key, value] : json.items()) {
     if (key == "families") {
-      settings.families.clear();
-      for (const std::string &name : value.get<std::vector<std::string>>()) {
-        settings.families.push_back(vpCircleMarkerFamily::fromName(name));
-      }
+      settings.families = readFamilies(key, value);
     }
     else if (key == "sizes") {
-      settings.sizes.clear();
-      for (const auto &[id, size] : value.items()) {
-        settings.sizes[std::stoi(id)] = size.get<double>();
-      }
+      settings.sizes = readSizes(key, value);
     }
     else if (key == "maximumHammingDistance") {
-      settings.decode.maximumHamming = value.get<unsigned int>();
+      settings.decode.maximumHamming = readCount(key, value, 0);
     }
     else if (key == "minimumMargin") {
       settings.decode.minimumMargin = value.get<double>();
+      if (!(settings.decode.minimumMargin >= 0. && settings.decode.minimumMargin <= 1.)) {
+        refuse(key, "from 0 to 1");
+      }
     }
     else if (key == "refinePose") {
       settings.refinePose = value.get<bool>();
@@ -63,12 +128,13 @@ void read(const Json &json, DetectorSettings &settings)
       settings.zAlignedWithCameraAxis = value.get<bool>();
     }
     else if (key == "threads") {
-      settings.threads = value.get<unsigned int>();
+      settings.threads = readCount(key, value, 1);
     }
     else {
-      throw vpException(vpException::badValue, "unknown setting \"%s\"; known are families, sizes, "
-                                               "maximumHammingDistance, minimumMargin, refinePose, "
-                                               "zAlignedWithCameraAxis, threads", key.c_str());
+      throw vpException(vpException::badValue,
+                        "unknown setting \"%s\"; known are families, sizes, maximumHammingDistance, minimumMargin, "
+                        "refinePose, zAlignedWithCameraAxis, threads",
+                        key.c_str());
     }
   }
 }
@@ -95,7 +161,7 @@ void writeSettings(const std::string &filename, const DetectorSettings &settings
   Json json;
   json["families"] = Json::array();
   for (const vpCircleMarkerFamily &family : settings.families) {
-    json["families"].push_back(family.getName());
+    json["families"].push_back(written(family));
   }
   json["sizes"] = Json::object();
   for (const auto &[id, size] : settings.sizes) {

@@ -38,7 +38,11 @@ struct DetectorSettings
   unsigned int threads = 1;                   //!< Number of threads.
 };
 
-/*! Reads settings from a JSON file; what it does not name stays as in \e settings. */
+/*!
+  Reads settings from a JSON file; what it does not name stays as in \e settings.
+  \exception vpException::ioError : If it cannot be read.
+  \exception vpException::badValue : If it is not a JSON object, or a key or value is not known or out of range.
+*/
 DetectorSettings readSettings(const std::string &filename, const DetectorSettings &settings);
 
 /*! Writes settings to a JSON file, whole or not at all. */

@@ -1,0 +1,56 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Outlines of markers at two scales of the image.
+ */
+
+#ifndef VP_CIRCLE_MARKER_OUTLINES_H
+#define VP_CIRCLE_MARKER_OUTLINES_H
+
+#include <vector>
+
+#include "ellipse/ellipse_candidates.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker
+{
+/*! Memory of findOutlines(), used again from image to image. */
+struct OutlineMemory
+{
+  /*! One scale of the image on its way through the first rooms. */
+  struct Scale
+  {
+    Gradient gradient;
+    EdgeChains chains;
+    std::vector<EllipseCandidate> candidates;
+  };
+  Scale full;
+  Scale half;
+  vpImage<unsigned char> halved;
+};
+
+/*!
+  Finds the outlines that may be markers: segment, edges and ellipse rooms, once on the image and once on its half.
+
+  Edges of several pixels' width (blur, motion, enlarged or compressed pictures) break into pieces at full size and are
+  sharp at half; thin rings are seen at full size only. An outline that both see is taken from the full size.
+  \param I : The image.
+  \param memory : Working memory.
+  \return The outlines in pixels of \e I, largest first; they stay in \e memory.
+*/
+const std::vector<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, OutlineMemory &memory);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
