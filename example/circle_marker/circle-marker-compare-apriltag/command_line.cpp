@@ -41,6 +41,19 @@ std::vector<std::string> reversedArguments(int argc, const char *const argv[])
   return arguments;
 }
 
+/*! A number in a range; CLI11's own check lets what is no number (nan) pass. */
+CLI::Validator numberIn(double least, double most)
+{
+  const std::string range = CLI::detail::to_string(least) + " to " + CLI::detail::to_string(most);
+  return CLI::Validator(
+      [least, most, range](std::string &text) {
+        double value = 0.;
+        const bool isGood = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+        return isGood ? std::string() : "\"" + text + "\" is not a number from " + range;
+      },
+      range);
+}
+
 void addOptions(CLI::App &app, Settings &settings)
 {
   app.add_option("--output", settings.output, "Folder to write to; made unless it is there")->required();
@@ -52,13 +65,13 @@ void addOptions(CLI::App &app, Settings &settings)
       ->check(CLI::Range(1u, 256u))
       ->capture_default_str();
   app.add_option("--size", settings.size, "Outer diameter of the circle's ring, metres; the sheet is 7/6 of it")
-      ->check(CLI::Range(0.01, 1.))
+      ->check(numberIn(0.01, 1.))
       ->capture_default_str();
   app.add_option("--noise", settings.noise, "Standard deviation of the noise, grey levels")
-      ->check(CLI::Range(0., 50.))
+      ->check(numberIn(0., 50.))
       ->capture_default_str();
   app.add_option("--blur", settings.blur, "Standard deviation of the blur, pixels")
-      ->check(CLI::Range(0., 10.))
+      ->check(numberIn(0., 10.))
       ->capture_default_str();
   const std::vector<std::string> poseMethods = tagPoseMethods();
   app.add_option("--apriltag-pose", settings.tagPose, "How ViSP's AprilTag detector comes from corners to a pose")

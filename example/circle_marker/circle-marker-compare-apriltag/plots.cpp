@@ -30,12 +30,12 @@ namespace compare {
 namespace {
 // Bins with fewer frames have no median that says anything.
 constexpr std::size_t leastFrames = 5;
-// A detection rate says little below that.
-constexpr std::size_t leastFramesOfRate = 10;
 // Frames that see the marker at a glancing angle have detection rates of their own.
 constexpr double glancing = 60.; // Degrees.
 // Distances are even up to a depth of 18.4 m in the middle of the image, hence up to 20.6 m in its corners.
 const std::vector<double> distanceBins = {0., 1., 2., 3., 4., 6., 8., 10., 12., 14., 16., 18., 21.};
+// Rates need more frames than medians, hence wider bins.
+const std::vector<double> rateBins = {0., 3., 6., 9., 12., 15., 18., 21.};
 const std::vector<double> tiltBins = {0., 5., 10., 20., 30., 40., 50., 60., 70., 80., 90.};
 
 using Value = std::function<double(const Trial &)>;
@@ -145,8 +145,8 @@ std::string rateData(const std::vector<Trial> &trials)
   std::string text;
   for (const Method method : {Method::Circle, Method::AprilTag1, Method::AprilTag2}) {
     const Value found = [method](const Trial &trial) { return trial[method].error ? 100. : 0.; };
-    text += binned(dataName("rate_below", method), steep, distanceBins, leastFramesOfRate, distance, found, mean) +
-            binned(dataName("rate_above", method), flat, distanceBins, leastFramesOfRate, distance, found, mean);
+    text += binned(dataName("rate_below", method), steep, rateBins, leastFrames, distance, found, mean) +
+            binned(dataName("rate_above", method), flat, rateBins, leastFrames, distance, found, mean);
   }
   return text;
 }
@@ -157,14 +157,16 @@ if (!exists("suffix")) suffix = ""
 set encoding utf8
 set terminal svg size 900,600 font "sans-serif,14" background "white" enhanced
 set grid back linecolor rgb "#dddddd" linetype 1
-set key outside bottom center horizontal
+set key at screen 0.5, screen 0.015 center bottom maxrows 2 Left reverse width -1
+set bmargin at screen 0.2
+set rmargin at screen 0.96
 set style line 1 linecolor rgb "#0072B2" linewidth 2.5 pointtype 7 pointsize 0.6
 set style line 2 linecolor rgb "#D55E00" linewidth 2.5 pointtype 5 pointsize 0.6
 set style line 3 linecolor rgb "#CC79A7" linewidth 2.5 pointtype 9 pointsize 0.6
 set style line 4 linecolor rgb "#888888" linewidth 2.5 dashtype 2
-set style line 5 linecolor rgb "#0072B2" linewidth 2.5 pointtype 6 pointsize 0.6 dashtype 3
-set style line 6 linecolor rgb "#D55E00" linewidth 2.5 pointtype 4 pointsize 0.6 dashtype 3
-set style line 7 linecolor rgb "#CC79A7" linewidth 2.5 pointtype 8 pointsize 0.6 dashtype 3
+set style line 5 linecolor rgb "#0072B2" linewidth 2.5 pointtype 6 pointsize 0.9 dashtype 2
+set style line 6 linecolor rgb "#D55E00" linewidth 2.5 pointtype 4 pointsize 0.9 dashtype 2
+set style line 7 linecolor rgb "#CC79A7" linewidth 2.5 pointtype 8 pointsize 0.9 dashtype 2
 set style line 11 linecolor rgb "#990072B2" pointtype 7 pointsize 0.3
 set style line 12 linecolor rgb "#99D55E00" pointtype 5 pointsize 0.3
 )";
@@ -173,7 +175,7 @@ constexpr const char *positionPlot = R"(
 set output "position-error.svg".suffix
 set title "Error of the position against the distance: frames of all cells, and medians"
 set logscale xy
-set xrange [0.5:25]
+set xrange [0.4:25]
 set xtics (0.5, 1, 2, 5, 10, 20)
 set yrange [*:*]
 set format y "%g"
@@ -207,6 +209,8 @@ unset output
 
 constexpr const char *ratePlot = R"(
 set output "detection-rate.svg".suffix
+set key maxrows 3
+set bmargin at screen 0.23
 set title "Share of frames with the right marker found, against the distance: frames of all cells"
 unset logscale y
 set xrange [0:21]
@@ -215,12 +219,12 @@ set yrange [0:105]
 set ytics 0, 20, 100
 set xlabel "distance of the marker’s centre [m]"
 set ylabel "found [%]"
-plot $rate_below_circle with linespoints linestyle 1 title "circle, angle below 60°", \
-     $rate_below_apriltag_1 with linespoints linestyle 2 title "AprilTag, decimation 1, below 60°", \
-     $rate_below_apriltag_2 with linespoints linestyle 3 title "AprilTag, decimation 2, below 60°", \
-     $rate_above_circle with linespoints linestyle 5 title "circle, 60° to 90°", \
+plot $rate_below_apriltag_2 with linespoints linestyle 3 title "AprilTag, decimation 2, below 60°", \
+     $rate_above_apriltag_2 with linespoints linestyle 7 title "AprilTag, decimation 2, 60° to 90°", \
+     $rate_below_apriltag_1 with linespoints linestyle 2 linewidth 6 title "AprilTag, decimation 1, below 60°", \
      $rate_above_apriltag_1 with linespoints linestyle 6 title "AprilTag, decimation 1, 60° to 90°", \
-     $rate_above_apriltag_2 with linespoints linestyle 7 title "AprilTag, decimation 2, 60° to 90°"
+     $rate_below_circle with linespoints linestyle 1 title "circle, angle below 60°", \
+     $rate_above_circle with linespoints linestyle 5 title "circle, 60° to 90°"
 unset output
 )";
 } // namespace

@@ -15,7 +15,6 @@
  * One pose, seen once with each marker and measured with each method.
  */
 
-#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <mutex>
@@ -133,12 +132,6 @@ private:
   vpImage<unsigned char> m_image;  //!< The last picture.
 };
 } // namespace
-
-bool Trial::foundByAll() const
-{
-  return std::all_of(measurements.begin(), measurements.end(),
-                     [](const Measurement &measurement) { return measurement.error.has_value(); });
-}
 
 std::vector<Trial> makeTrials(const Settings &settings, const Progress &progress)
 {

@@ -18,6 +18,7 @@
 #ifndef VP_COMPARE_TRIAL_H
 #define VP_COMPARE_TRIAL_H
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -52,7 +53,11 @@ struct Trial
   const Measurement &operator[](Method method) const { return measurements[indexOf(method)]; }
 
   /*! Whether every method found the marker. */
-  bool foundByAll() const;
+  bool foundByAll() const
+  {
+    return std::all_of(measurements.begin(), measurements.end(),
+                       [](const Measurement &measurement) { return measurement.error.has_value(); });
+  }
 };
 
 /*! Told how many trials are done, of how many; from one thread at a time. */
