@@ -105,9 +105,11 @@ vpImage<vpRGBa> overlayOf(const vpImage<unsigned char> &I, const ImageResult &re
 {
   vpImage<vpRGBa> picture;
   vpImageConvert::convert(I, picture);
+  // Pictures this wide are looked at scaled down.
+  const unsigned int thickness = I.getWidth() > 1000 ? 2 : 1;
   for (const vpCircleMarkerDetection &detection : result.detections) {
-    drawRing(picture, detection.cMo, cam, 0.5 * detection.size, vpColor::green, 1);
-    drawAxes(picture, detection.cMo, cam, 0.5 * detection.size);
+    drawRing(picture, detection.cMo, cam, 0.5 * detection.size, vpColor::green, thickness);
+    drawAxes(picture, detection.cMo, cam, 0.5 * detection.size, vpColor::none, thickness + 1);
     drawMark(picture, detection.center, vpColor::yellow);
     std::ostringstream text;
     if (detection.family.isCoded()) {

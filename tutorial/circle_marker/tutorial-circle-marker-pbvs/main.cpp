@@ -1,0 +1,189 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Position-based visual servo of a simulated camera on a circular marker, an AprilTag or both.
+ */
+
+/*!
+  \example tutorial-circle-marker-pbvs/main.cpp
+  Position-based visual servo of a simulated camera on a circular marker, an AprilTag or both.
+*/
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "../common/camera_file.h"
+#include "../common/visp_names.h"
+#include "../common/whole_file.h"
+#include "command_line.h"
+#include "live_view.h"
+#include "servo_loop.h"
+#include "servo_report.h"
+#include "servo_scene.h"
+
+using namespace tutorial;
+
+namespace {
+const std::string programName = "tutorial-circle-marker-pbvs";
+
+void complain(const std::string &message)
+{
+  std::cerr << programName << ": " << message << std::endl;
+}
+
+/*! The reference camera of the project's figures, data/camera.xml, or the one that was asked for. */
+ServoCamera cameraOf(const Order &order)
+{
+  if (order.cameraFile.empty()) {
+    return ServoCamera{vpCameraParameters(1600., 1600., 639.5, 479.5), 1280, 960};
+  }
+  const NamedCamera camera = readCamera(order.cameraFile, order.cameraName, 0, 0);
+  if (camera.width == 0 || camera.height == 0) {
+    throw CameraError("\"" + order.cameraFile +
+                      "\" does not say the size of the images; add image_width and "
+                      "image_height");
+  }
+  return ServoCamera{camera.parameters, camera.width, camera.height};
+}
+
+ServoProblem makeProblem(const Order &order, unsigned int run)
+{
+  StartRange range;
+  if (order.distance) {
+    range.nearest = range.farthest = *order.distance;
+  }
+  const std::uint64_t seed = order.seed + run;
+  const ServoObject object = makeObject(order.markers);
+  const ServoCamera camera = cameraOf(order);
+  return ServoProblem{camera, object, randomStart(camera, object, range, seed), seed};
+}
+
+ServoRecord runWithDisplay(const ServoProblem &problem)
+{
+  std::optional<LiveView> view;
+  try {
+    view.emplace(problem);
+  }
+  catch (const vpException &e) {
+    complain(std::string("no window can be opened (") + e.what() +
+             "); going on without, --display-off does so silently");
+    return runServo(problem, Observer());
+  }
+  const ServoRecord record = runServo(
+      problem, [&view](const vpImage<unsigned char> &I, const ServoStep &step) { return view->show(I, step); });
+  const bool quitByClick = !record.converged && record.reason.find("click") != std::string::npos;
+  if (!quitByClick) {
+    view->showEnd(record);
+  }
+  return record;
+}
+
+/*! A run's line of the table on the standard output and in runs.csv. */
+std::string runLine(const ServoProblem &problem, const ServoRecord &record)
+{
+  const ServoError &error = record.steps.back().trueError;
+  std::ostringstream out;
+  out << problem.seed << ',' << problem.start.getTranslationVector().frobeniusNorm() << ',' << record.steps.size()
+      << ',' << 1e3 * error.distance() << ',' << error.angle() * 180. / M_PI << ',' << 1e3 * error.object << ','
+      << record.converged << '\n';
+  return out.str();
+}
+
+void printRun(const ServoProblem &problem, const ServoRecord &record)
+{
+  const ServoError &error = record.steps.back().trueError;
+  std::cout << "seed " << problem.seed << ": from " << std::fixed << std::setprecision(3)
+            << problem.start.getTranslationVector().frobeniusNorm() << " m, " << record.steps.size()
+            << " images, true pose at the end " << 1e3 * error.distance() << " mm and " << std::setprecision(4)
+            << error.angle() * 180. / M_PI
+            << " deg from the desired one: " << (record.converged ? "converged" : "not converged, " + record.reason)
+            << std::endl;
+}
+
+/*! How far a run is from what is accepted; 1 is the limit. */
+double badness(const ServoRecord &record)
+{
+  const ServoError &error = record.steps.back().trueError;
+  return std::max(
+      {error.distance() / acceptedDistance, error.object / acceptedDistance, error.angle() / acceptedAngle});
+}
+
+/*! \return Whether all servos converged. */
+bool carryOut(const Order &order)
+{
+  if (!hasGnuplot()) {
+    throw UsageError("gnuplot, which draws servo.svg, cannot be run; install it (Debian: apt-get install gnuplot-nox)");
+  }
+  std::error_code error;
+  std::filesystem::create_directories(order.folder, error);
+  if (!std::filesystem::is_directory(order.folder)) {
+    throw UsageError("the folder \"" + order.folder + "\" cannot be made; name another with --output");
+  }
+  std::string table = "seed,start_distance_m,images,distance_mm,angle_deg,object_mm,converged\n";
+  std::optional<std::pair<ServoProblem, ServoRecord>> worst;
+  unsigned int converged = 0;
+  double worstDistance = 0., worstAngle = 0.;
+  for (unsigned int run = 0; run < order.runs; ++run) {
+    const ServoProblem problem = makeProblem(order, run);
+    const ServoRecord record = order.display ? runWithDisplay(problem) : runServo(problem, Observer());
+    printRun(problem, record);
+    table += runLine(problem, record);
+    converged += record.converged ? 1 : 0;
+    worstDistance = std::max(worstDistance, record.steps.back().trueError.distance());
+    worstAngle = std::max(worstAngle, record.steps.back().trueError.angle());
+    if (!worst || badness(record) > badness(worst->second)) {
+      worst.emplace(problem, record);
+    }
+  }
+  if (order.runs > 1) {
+    std::cout << converged << " of " << order.runs << " converged; worst at the end " << std::setprecision(3)
+              << 1e3 * worstDistance << " mm and " << std::setprecision(4) << worstAngle * 180. / M_PI << " deg"
+              << std::endl;
+    writeWholeText((std::filesystem::path(order.folder) / "runs.csv").string(), table);
+  }
+  writeReport(order.folder, worst->first, worst->second);
+  return converged == order.runs;
+}
+} // namespace
+
+int main(int argc, const char *argv[])
+{
+  try {
+    const Request request = parseCommandLine(argc, argv);
+    if (!request.order) {
+      std::cout << request.text;
+      return 0;
+    }
+    if (!carryOut(*request.order)) {
+      complain("not every servo reached the desired pose; see servo.csv for the worst");
+      return 1;
+    }
+    return 0;
+  }
+  catch (const UsageError &e) {
+    complain(e.what());
+    return 2;
+  }
+  catch (const std::exception &e) {
+    complain(e.what());
+    return 1;
+  }
+}
