@@ -33,9 +33,6 @@ constexpr double bandOfBlur = 3.2;
 constexpr double mostSurround = 0.3;
 // Of the flat areas, one pixel in 16 is enough to know their level.
 constexpr unsigned int flatStride = 4;
-// Number of pixels from which a marker is thinned. At 3000 pixels the least error of a marker of 200 pixels diameter
-// is a thousandth of a pixel: what is left is systematic.
-constexpr double mostPixels = 3000.;
 
 struct Box
 {
@@ -88,7 +85,7 @@ double edgeLength(const MarkerPattern &pattern, double meanRadius)
 
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
                   std::size_t count, const MarkerPattern &pattern, double blur, double quietZone,
-                  std::vector<FitPixel> &pixels)
+                  double most, std::vector<FitPixel> &pixels)
 {
   pixels.clear();
   const double band = bandOfBlur * blur;
@@ -98,7 +95,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   const double size = 0.25 * (box.right - box.left + box.bottom - box.top) / outermost;
   const double expected = 2. * band * edgeLength(pattern, size);
   // A lattice of one pixel in `keep` that has no direction in common with rows and columns.
-  const int keep = std::max(1, static_cast<int>(std::ceil(expected / mostPixels)));
+  const int keep = std::max(1, static_cast<int>(std::ceil(expected / most)));
   for (int v = box.top; v <= box.bottom; ++v) {
     for (int u = box.left; u <= box.right; ++u) {
       const bool flatSample = u % static_cast<int>(flatStride) == 0 && v % static_cast<int>(flatStride) == 0;

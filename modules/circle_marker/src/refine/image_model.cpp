@@ -29,6 +29,8 @@ namespace
 {
 // Edges farther than this many standard deviations of the blur do not touch a pixel (1e-6 of the contrast).
 constexpr double reach = 4.8;
+// A circular edge farther than this many standard deviations, to first order, is not looked at any closer.
+constexpr double farAway = 6.;
 // Sectors' edges considered to either side of a pixel: with sectors of a pixel, the third is beyond three sigma.
 constexpr int neighbours = 2;
 
@@ -103,11 +105,16 @@ Polar polarOf(const PlanePoint &point)
 SeenEdge seeCircle(const Polar &polar, const RadialEdge &edge, const BlurParameters &blur)
 {
   const double difference = edge.radius - polar.radius;
+  SeenEdge seen;
+  // Far from the edge its side is all there is to say: near the centre the curvature below grows beyond all bounds.
+  if (std::abs(difference) > farAway * blur.sigma * polar.gradient) {
+    seen.cumulative = difference * edge.blackSide > 0. ? 1. : 0.;
+    return seen;
+  }
   // Second-order distance along the gradient to the level set of the radius.
   const double distance =
       difference / polar.gradient * (1. - 0.5 * polar.alongNormal * difference / (polar.gradient * polar.gradient));
   const double curvature = polar.alongTangent / polar.gradient;
-  SeenEdge seen;
   const double inside = distance / blur.sigma - 0.5 * curvature * blur.sigma;
   seen.standardised = edge.blackSide * inside + blur.growth / blur.sigma;
   const auto normal = NormalDistribution::instance().at(seen.standardised);

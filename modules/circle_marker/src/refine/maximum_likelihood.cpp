@@ -45,15 +45,17 @@ constexpr double sigmaOfMedian = 1.4826;
 constexpr double cleanSurround = 0.005;
 // Noise of rounding to whole grey levels.
 constexpr double quantisation = 0.2887;
+// A print that stands out by less than this, grey levels, is none; rounding alone never gives as much.
+constexpr double leastContrast = 0.5;
 // The blur stays between that of the pixel's own area and a twentieth of a metre-wide smear.
 constexpr double leastSigma = 0.29;
 constexpr double mostSigma = 20.;
 // Black grows by no more than this, pixels, and is expected to grow by none to this standard deviation.
 constexpr double growthPrior = 0.3;
-// A step is the last if it moves no parameter by more than this share of its standard deviation.
-constexpr double convergence = 0.1;
 // The noise is estimated again after each of the first steps; later ones keep it, so that they have one cost to lower.
 constexpr int noiseUpdates = 5;
+// Below this damping a step is as long as the equations want it: only then a short one means convergence.
+constexpr double freeDamping = 0.1;
 // Beyond this damping no step lowers the cost: the fit is at its minimum, to rounding.
 constexpr double mostDamping = 1e6;
 
@@ -118,9 +120,8 @@ Loss biweight(double residual, double noise)
 class Fit
 {
 public:
-  Fit(const std::vector<FitPixel> &pixels, std::size_t stride, const MarkerPattern &pattern,
-      const FitSettings &settings)
-    : m_pixels(pixels), m_stride(stride), m_pattern(pattern), m_settings(settings)
+  Fit(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, const FitSettings &settings)
+    : m_pixels(pixels), m_pattern(pattern), m_settings(settings)
   { }
 
   // Light and contrast that explain the image best at the start pose: linear least squares.
@@ -128,7 +129,7 @@ public:
   {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
     Eigen::Vector4d right = Eigen::Vector4d::Zero();
-    for (std::size_t i = 0; i < m_pixels.size(); i += m_stride) {
+    for (std::size_t i = 0; i < m_pixels.size(); ++i) {
       const FitPixel &pixel = m_pixels[i];
       const double darkness = darknessAt(pixel.model, plane, m_pattern, photometry.blur).value;
       const Eigen::Vector4d row(1., pixel.offset.x(), pixel.offset.y(), -darkness);
@@ -136,7 +137,7 @@ public:
       right += pixel.grey * row;
     }
     const Eigen::Vector4d solution = matrix.ldlt().solve(right);
-    if (!solution.allFinite() || solution[0] <= 0. || solution[3] <= 0.) {
+    if (!solution.allFinite() || solution[0] <= 0. || solution[3] < leastContrast) {
       return false;
     }
     photometry.light = solution[0];
@@ -145,16 +146,16 @@ public:
     return true;
   }
 
-  // One pass over the pixels; keeps their residuals.
+  // One pass over the pixels.
   Equations linearise(const MarkerPlane &plane, const Photometry &photometry, double noise)
   {
     Equations equations;
-    m_residuals.clear();
-    for (std::size_t i = 0; i < m_pixels.size(); i += m_stride) {
+    m_trial.clear();
+    for (std::size_t i = 0; i < m_pixels.size(); ++i) {
       const FitPixel &pixel = m_pixels[i];
       const Darkness darkness = darknessAt(pixel.model, plane, m_pattern, photometry.blur);
       const double residual = residualOf(pixel, photometry, darkness.value);
-      m_residuals.push_back(residual);
+      m_trial.push_back(residual);
       const Loss loss = biweight(residual, noise);
       const double known = shareOfKnown(pixel, photometry, noise);
       equations.cost += known * loss.cost;
@@ -177,12 +178,26 @@ public:
     return equations;
   }
 
-  // Noise from the median of the residuals of the last pass that see no surround.
+  // The residuals of the last pass are those of the present parameters.
+  void keepResiduals() { m_residuals.swap(m_trial); }
+
+  // Noise at the start, where nothing is known of it.
+  double noiseAt(const MarkerPlane &plane, const Photometry &photometry)
+  {
+    m_residuals.clear();
+    for (std::size_t i = 0; i < m_pixels.size(); ++i) {
+      const double darkness = darknessAt(m_pixels[i].model, plane, m_pattern, photometry.blur).value;
+      m_residuals.push_back(residualOf(m_pixels[i], photometry, darkness));
+    }
+    return noiseOfResiduals();
+  }
+
+  // Noise from the median of the residuals kept that see no surround.
   double noiseOfResiduals()
   {
     m_absolute.clear();
     for (std::size_t k = 0; k < m_residuals.size(); ++k) {
-      if (m_pixels[k * m_stride].surround < cleanSurround) {
+      if (m_pixels[k].surround < cleanSurround) {
         m_absolute.push_back(std::abs(m_residuals[k]));
       }
     }
@@ -194,22 +209,22 @@ public:
     return std::max(sigmaOfMedian * *middle, quantisation);
   }
 
-  // Cost of the last pass at another noise.
+  // Cost of the residuals kept at another noise.
   double costOfResiduals(const Photometry &photometry, double noise) const
   {
     double cost = priorCost(photometry, noise);
     for (std::size_t k = 0; k < m_residuals.size(); ++k) {
-      cost += shareOfKnown(m_pixels[k * m_stride], photometry, noise) * biweight(m_residuals[k], noise).cost;
+      cost += shareOfKnown(m_pixels[k], photometry, noise) * biweight(m_residuals[k], noise).cost;
     }
     return cost;
   }
 
-  // Correlation between model and image over the pixels of the last pass, each with its weight.
+  // Correlation between model and image over the pixels, each with its weight.
   double correlation(const Photometry &photometry, double noise) const
   {
     double n = 0., x = 0., y = 0., xx = 0., xy = 0., yy = 0.;
     for (std::size_t k = 0; k < m_residuals.size(); ++k) {
-      const FitPixel &pixel = m_pixels[k * m_stride];
+      const FitPixel &pixel = m_pixels[k];
       const double model = pixel.grey - m_residuals[k];
       const double w = biweight(m_residuals[k], noise).weight * shareOfKnown(pixel, photometry, noise);
       n += w;
@@ -223,7 +238,7 @@ public:
     return denominator > 0. ? (n * xy - x * y) / denominator : 0.;
   }
 
-  // Share of the pixels of the last pass that the model explains.
+  // Share of the pixels that the model explains.
   double inliers(double noise) const
   {
     double sum = 0.;
@@ -268,10 +283,10 @@ private:
   }
 
   const std::vector<FitPixel> &m_pixels;
-  std::size_t m_stride;
   const MarkerPattern &m_pattern;
   FitSettings m_settings;
-  std::vector<double> m_residuals;
+  std::vector<double> m_residuals; // of the present parameters
+  std::vector<double> m_trial;     // of the last pass
   std::vector<double> m_absolute;
 };
 
@@ -293,8 +308,9 @@ void applyStep(const Vector &step, MarkerPlane &plane, Photometry &photometry)
 // Standard deviation of the noise from the weighted residuals: more efficient than the median.
 double noiseOfSquares(const Equations &equations)
 {
-  // Of normal noise the biweight keeps 0.909 of the mean square at its constant.
-  constexpr double biweightShrinkage = 0.909;
+  // Of normal noise the biweight keeps this share of the mean square at its constant c:
+  // (1 - 6 / c^2 + 15 / c^4) / (1 - 2 / c^2 + 3 / c^4).
+  constexpr double biweightShrinkage = 0.828;
   const double freedom = std::max(equations.weight - parameters, 1.);
   return std::max(std::sqrt(equations.squares / freedom / biweightShrinkage), quantisation);
 }
@@ -307,13 +323,13 @@ bool isVisible(const MarkerPlane &plane)
 
 } // namespace
 
-std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, std::size_t stride, const FitStart &start,
+std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const FitStart &start,
                                   const MarkerPattern &pattern, const FitSettings &settings)
 {
-  if (pixels.size() / stride < 2 * parameters) {
+  if (pixels.size() < 2 * parameters) {
     return std::nullopt;
   }
-  Fit fit(pixels, stride, pattern, settings);
+  Fit fit(pixels, pattern, settings);
   FittedPose result;
   result.plane = start.plane;
   if (start.photometry) {
@@ -322,9 +338,9 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, std::size
   else if (!fit.startPhotometry(result.plane, result.photometry)) {
     return std::nullopt;
   }
-  fit.linearise(result.plane, result.photometry, HUGE_VAL); // for the residuals alone
-  double noise = fit.noiseOfResiduals();
+  double noise = start.noise ? *start.noise : fit.noiseAt(result.plane, result.photometry);
   Equations equations = fit.linearise(result.plane, result.photometry, noise);
+  fit.keepResiduals();
   double damping = 1e-3;
   int accepted = 0;
   for (int iteration = 0; iteration < settings.mostIterations; ++iteration) {
@@ -334,20 +350,22 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, std::size
     if (!step.allFinite()) {
       return std::nullopt;
     }
+    const double size = step.dot(equations.matrix * step) / (noise * noise);
+    if (damping < freeDamping && size < settings.convergence * settings.convergence) {
+      applyStep(step, result.plane, result.photometry);
+      break;
+    }
     MarkerPlane plane = result.plane;
     Photometry photometry = result.photometry;
     applyStep(step, plane, photometry);
     if (isVisible(plane) && photometry.light > 0.) {
       const Equations trial = fit.linearise(plane, photometry, noise);
       if (trial.cost <= equations.cost) {
-        const bool last = step.dot(equations.matrix * step) < convergence * convergence * noise * noise;
         result.plane = plane;
         result.photometry = photometry;
         equations = trial;
+        fit.keepResiduals();
         damping *= 0.1;
-        if (last) {
-          break;
-        }
         if (++accepted <= noiseUpdates) {
           noise = fit.noiseOfResiduals();
           equations.cost = fit.costOfResiduals(photometry, noise);
@@ -360,10 +378,6 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, std::size
       break;
     }
   }
-  // The weights, the noise and the covariance belong to the final parameters.
-  equations = fit.linearise(result.plane, result.photometry, noise);
-  noise = fit.noiseOfResiduals();
-  equations = fit.linearise(result.plane, result.photometry, noise);
   result.squares = equations.cost;
   result.noise = noiseOfSquares(equations);
   result.inliers = fit.inliers(noise);

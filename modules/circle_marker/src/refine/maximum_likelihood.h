@@ -68,6 +68,8 @@ struct FitSettings
   bool spinIsKnown = true; //!< Whether the code fixes the spin: else it stays as it is.
   bool growth = true;      //!< Whether black may be larger than designed.
   int mostIterations = 25; //!< Levenberg-Marquardt steps; 0 only evaluates the start.
+  //! The step is the last that moves no parameter by more than this share of its standard deviation.
+  double convergence = 0.1;
 };
 
 /*! Where a fit starts. */
@@ -75,13 +77,14 @@ struct FitStart
 {
   MarkerPlane plane;
   std::optional<Photometry> photometry; //!< Nothing: taken from the image, by linear least squares.
+  std::optional<double> noise;          //!< Grey levels; nothing: taken from the residuals at the start.
 };
 
 /*!
-  Refines a pose on every \e stride-th of the pixels; nothing if the start explains nothing of the image or the
+  Refines a pose; nothing if the start explains nothing of the image or the
   equations are singular.
 */
-std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, std::size_t stride, const FitStart &start,
+std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const FitStart &start,
                                   const MarkerPattern &pattern, const FitSettings &settings);
 
 /*! Sum of squared residuals with Tukey's biweight at a given noise, so that two fits can be compared. */

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 BEGIN_VISP_NAMESPACE
@@ -38,15 +39,22 @@ constexpr double leastInliers = 0.5;
 // Two fits closer than this, in standard deviations, are one pose.
 constexpr double samePose = 0.3;
 
-// Blur of a sharp picture, lens 0.75 and pixel area 0.29, pixels; from which a wider band is worth a second fit; and
-// the widest.
+// Blur of a sharp picture, lens 0.75 and pixel area 0.29, pixels; and the bounds of the blur that sets the width of
+// the band of pixels around an edge.
 constexpr double commonBlur = 0.8;
-constexpr double muchBlur = 1.1;
+constexpr double leastBlur = 0.6;
 constexpr double mostBlur = 6.;
-// Pixels of the first, coarse fit: 25 for each of its 12 parameters still make a good start for the fine one.
-constexpr std::size_t coarsePixels = 400;
+// Pixels of the coarse fit: 30 for each of its 12 parameters make a good start for the fine one. The fine fit's 3000
+// measure a marker of 200 pixels diameter to a thousandth of a pixel: what is left then is systematic.
+constexpr double fewPixels = 400.;
+constexpr double manyPixels = 3000.;
+// Last step of the coarse fit, in standard deviations, and its steps at most: a pose that fits badly creeps.
+constexpr double coarseConvergence = 0.5;
+constexpr int coarseIterations = 10;
+// Error with which the closed form knows the axes of the outline, pixels.
+constexpr double outlineError = 0.1;
 // A pose whose log-odds against are beyond this on the coarse pixels is not refined any further.
-constexpr double hopelessOdds = 100.;
+constexpr double hopelessOdds = 30.;
 
 bool isSamePose(const FittedPose &p, const FittedPose &q)
 {
@@ -56,33 +64,100 @@ bool isSamePose(const FittedPose &p, const FittedPose &q)
   const double squared = 4. * turn.dot(covariance.inverse() * turn);
   return p.plane.rotation.col(2).dot(q.plane.rotation.col(2)) > 0. && squared < samePose * samePose;
 }
-// Refines both poses on a part of the pixels, and then on all of them what is worth it.
-std::vector<FittedPose> fitBoth(const std::vector<FitPixel> &pixels, const PosePair &poses,
-                                const MarkerPattern &pattern, const FitSettings &settings)
+// The marker turned about its centre, the shortest way, so that its normal has another direction.
+MarkerPlane turnedTo(const MarkerPlane &plane, const Eigen::Vector3d &normal)
 {
-  const std::size_t stride = std::max<std::size_t>(1, pixels.size() / coarsePixels);
+  MarkerPlane turned = plane;
+  turned.rotation =
+      Eigen::Quaterniond::FromTwoVectors(plane.rotation.col(2), normal).toRotationMatrix() * plane.rotation;
+  return turned;
+}
+
+// Where to start from: the two poses of the outline; or, if it is too round to show its tilt, four directions of tilt.
+// Facing the camera is a saddle of the likelihood, from which no descent leads away.
+std::vector<FitStart> startsOf(const PosePair &poses, const CameraModel &camera)
+{
+  const MarkerPlane &plane = poses[0];
+  const Eigen::Vector3d sight = plane.center.normalized();
+  const double meterPerPixel =
+      camera.meterPerPixel(camera.toPixel(plane.project(Eigen::Vector2d::Zero()))).col(0).norm();
+  const double radius = plane.radius / (plane.center.z() * meterPerPixel); // pixels
+  const double leastTilt = std::sqrt(2. * outlineError / radius); // its cosine shortens an axis by outlineError
+  if (std::acos(std::min(plane.rotation.col(2).dot(sight), 1.)) > leastTilt) {
+    return {{poses[0], std::nullopt, std::nullopt}, {poses[1], std::nullopt, std::nullopt}};
+  }
+  const Eigen::Vector3d first = plane.rotation.col(0) - plane.rotation.col(0).dot(sight) * sight;
+  const Eigen::Vector3d across = first.normalized();
+  const Eigen::Vector3d along = sight.cross(across);
+  std::vector<FitStart> starts;
+  for (const Eigen::Vector3d &direction : {across, Eigen::Vector3d(-across), along, Eigen::Vector3d(-along)}) {
+    const Eigen::Vector3d normal = std::cos(leastTilt) * sight + std::sin(leastTilt) * direction;
+    starts.push_back({turnedTo(plane, normal), std::nullopt, std::nullopt});
+  }
+  return starts;
+}
+
+// Keeps the best pose and the best of those that are not the same as it.
+void keepTwo(std::vector<FittedPose> &ranked)
+{
+  std::vector<FittedPose> kept;
+  for (const FittedPose &fit : ranked) {
+    if (kept.empty() || (kept.size() < 2 && !isSamePose(kept[0], fit))) {
+      kept.push_back(fit);
+    }
+  }
+  ranked = kept;
+}
+
+// Fits every start on the pixels; those that lead nowhere are left out.
+std::vector<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const std::vector<FitStart> &starts,
+                               const MarkerPattern &pattern, const FitSettings &settings)
+{
   std::vector<FittedPose> fits;
-  for (const MarkerPlane &start : poses) {
-    if (const auto fit = fitPose(pixels, stride, {start, std::nullopt}, pattern, settings)) {
+  for (const FitStart &start : starts) {
+    if (const auto fit = fitPose(pixels, start, pattern, settings)) {
       fits.push_back(*fit);
     }
   }
-  if (stride == 1 || fits.empty()) {
-    return fits;
-  }
-  double least = HUGE_VAL;
+  return fits;
+}
+
+// Puts the fit that explains the pixels best first; all are judged by the noise of the best.
+double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, std::vector<FittedPose> &fits)
+{
   double noise = HUGE_VAL;
   for (const FittedPose &fit : fits) {
-    least = std::min(least, fit.squares);
     noise = std::min(noise, fit.noise);
   }
   for (FittedPose &fit : fits) {
-    if (fit.squares - least > 2. * hopelessOdds * noise * noise) {
+    fit.squares = robustSquares(pixels, fit, pattern, noise);
+  }
+  std::sort(fits.begin(), fits.end(), [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; });
+  return noise;
+}
+
+// Refines the poses that have a chance on many pixels around their own edges; a pose without one is kept as it is.
+std::vector<FittedPose> refineWorthy(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                     const MarkerPattern &pattern, const FitSettings &settings, double quietZone,
+                                     const std::vector<FittedPose> &coarse, double noise,
+                                     std::vector<FitPixel> &pixels)
+{
+  std::vector<MarkerPlane> planes;
+  std::vector<FitStart> starts;
+  std::vector<FittedPose> hopeless;
+  for (const FittedPose &fit : coarse) {
+    if (fit.squares - coarse[0].squares > 2. * hopelessOdds * noise * noise) {
+      hopeless.push_back(fit);
       continue;
     }
-    if (const auto fine = fitPose(pixels, 1, {fit.plane, fit.photometry}, pattern, settings)) {
-      fit = *fine;
-    }
+    planes.push_back(fit.plane);
+    starts.push_back({fit.plane, fit.photometry, fit.noise});
+  }
+  const double blur = std::clamp(coarse[0].photometry.blur.sigma, leastBlur, mostBlur);
+  selectPixels(I, camera, planes.data(), planes.size(), pattern, blur, quietZone, manyPixels, pixels);
+  std::vector<FittedPose> fits = fitAll(pixels, starts, pattern, settings);
+  if (!fits.empty()) {
+    fits.insert(fits.end(), hopeless.begin(), hopeless.end());
   }
   return fits;
 }
@@ -93,30 +168,28 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
 {
   const MarkerPattern pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
   const double quietZone = marker.family.getLayout().quietZone;
-  selectPixels(I, camera, marker.poses.data(), marker.poses.size(), pattern, commonBlur, quietZone, pixels);
   FitSettings settings;
   settings.spinIsKnown = pattern.sectors > 0;
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
-  settings.mostIterations = refine ? settings.mostIterations : 0;
-  std::vector<FittedPose> fits = fitBoth(pixels, marker.poses, pattern, settings);
-  if (refine && !fits.empty() && fits[0].photometry.blur.sigma > muchBlur) {
-    // The band around the edges was too narrow to see all of them.
-    const double blur = std::min(fits[0].photometry.blur.sigma, mostBlur);
-    selectPixels(I, camera, marker.poses.data(), marker.poses.size(), pattern, blur, quietZone, pixels);
-    fits = fitBoth(pixels, marker.poses, pattern, settings);
-  }
+
+  // Both poses on few pixels, to know which are worth more and how wide the blur is.
+  selectPixels(I, camera, marker.poses.data(), marker.poses.size(), pattern, commonBlur, quietZone, fewPixels, pixels);
+  FitSettings coarse = settings;
+  coarse.convergence = coarseConvergence;
+  coarse.mostIterations = refine ? coarseIterations : 0;
+  std::vector<FittedPose> fits = fitAll(pixels, startsOf(marker.poses, camera), pattern, coarse);
   if (fits.empty()) {
     return std::nullopt;
   }
-  // Both are judged by the noise of the one that explains the image better.
-  double noise = HUGE_VAL;
-  for (const FittedPose &fit : fits) {
-    noise = std::min(noise, fit.noise);
+  double noise = rank(pixels, pattern, fits);
+  keepTwo(fits);
+  if (refine) {
+    fits = refineWorthy(I, camera, pattern, settings, quietZone, fits, noise, pixels);
+    if (fits.empty()) {
+      return std::nullopt;
+    }
+    noise = rank(pixels, pattern, fits);
   }
-  for (FittedPose &fit : fits) {
-    fit.squares = robustSquares(pixels, fit, pattern, noise);
-  }
-  std::sort(fits.begin(), fits.end(), [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; });
   const double refined = pattern.sectors > 0 ? leastCorrelation : leastCorrelationWithoutCode;
   const double least = refine ? refined : leastCorrelationUnrefined;
   if (fits[0].correlation < least || fits[0].inliers < leastInliers) {
