@@ -93,7 +93,7 @@ struct Settings
   double size = 0.18;                            //!< Outer diameter of the circle's ring, metres.
   double noise = 2.;                             //!< Standard deviation, grey levels.
   double blur = 0.7;                             //!< Standard deviation, pixels.
-  std::string tagPose = "HOMOGRAPHY_VIRTUAL_VS"; //!< One of tagPoseMethods().
+  std::string tagPose = "HOMOGRAPHY_VIRTUAL_VS"; //!< One of tagPoseMethods(); the most accurate, see --help.
 
   /*! Side of both markers' square sheet, metres: the ring and a quiet zone of R/6. */
   double sheetSide() const { return size * (1. + 1. / 6.); }
