@@ -117,8 +117,9 @@ inline void drawMark(vpImage<vpRGBa> &I, const vpImagePoint &p, const vpColor &c
 inline void drawText(vpImage<vpRGBa> &I, const std::string &text, const vpImagePoint &topLeft,
                      const vpColor &color = vpColor::yellow)
 {
-  constexpr unsigned int height = 16; // pixels: legible in a picture of 1280 x 960 shown on half a screen
-  static const vpFont font(height, vpFont::GENERIC_MONOSPACE);
+  // Pixels; pictures wider than 1000 pixels are looked at scaled down.
+  static const vpFont smallFont(16, vpFont::GENERIC_MONOSPACE), largeFont(24, vpFont::GENERIC_MONOSPACE);
+  const vpFont &font = I.getWidth() > 1000 ? largeFont : smallFont;
   const vpImagePoint extent = font.getMeasure(text);
   const double u = std::max(0., std::min(topLeft.get_u(), I.getWidth() - extent.get_u() - 1.));
   const double v = std::max(0., std::min(topLeft.get_v(), I.getHeight() - extent.get_v() - 1.));
