@@ -18,7 +18,8 @@
 #
 #############################################################################
 
-# click_in_window.sh <folder of the server's picture> <title> <seconds between clicks> <button>... -- <program> <argument>...
+# click_in_window.sh <folder of the server's picture> <title> <seconds between clicks> <button>...
+#                    -- <program> <argument>...
 # Before each click the screen is copied to screen-0.xwd, screen-1.xwd and so on. Ends as the program does.
 set -u
 picture=$1/Xvfb_screen0
