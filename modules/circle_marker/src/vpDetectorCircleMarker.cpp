@@ -15,27 +15,25 @@
  * Detection, identification and pose of circular markers.
  */
 
-#include <visp3/circle_marker/vpDetectorCircleMarker.h>
+#include "vpDetectorCircleMarkerImpl.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <future>
 
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpTime.h>
 
-#include "decode/recognise.h"
-#include "ellipse/outlines.h"
 #include "pose/hypotheses.h"
 #include "refine/measure.h"
 #include "refine/report.h"
-#include "support/detector_settings.h"
 
 BEGIN_VISP_NAMESPACE
 
 using namespace circle_marker;
 
-namespace
-{
+namespace {
 // Points of the polygon that vpDetectorBase keeps of each object.
 constexpr unsigned int polygonPoints = 36;
 // Size of a marker whose size was not told: poses are then in units of its diameter.
@@ -44,139 +42,155 @@ constexpr double unitSize = 1.;
 // Inside a marker there is room for another one in its white centre only, of this radius in units of the ring's.
 constexpr double whiteCenter = 0.4;
 
-void checkSize(double size)
-{
-  if (!(size > 0.) || !std::isfinite(size)) {
-    throw vpException(vpException::badValue,
-                      "vpDetectorCircleMarker: the marker size is %g; it is the outer diameter of the ring in metres "
-                      "and must be positive", size);
-  }
-}
-
 // A camera that is good enough to read codes with: ordinary lenses have a focal length of about the image's width.
 vpCameraParameters nominalCamera(const vpImage<unsigned char> &I)
 {
   const double focal = std::max(I.getWidth(), I.getHeight());
   return vpCameraParameters(focal, focal, 0.5 * (I.getWidth() - 1.), 0.5 * (I.getHeight() - 1.));
 }
+
+// The image fixes the poses up to the size: everything scales with it.
+void scaleTo(double size, PosePair &poses)
+{
+  for (MarkerPlane &plane : poses) {
+    plane.center *= 0.5 * size / plane.radius;
+    plane.radius = 0.5 * size;
+  }
+}
 } // namespace
 
-class vpDetectorCircleMarker::Impl
+/*!
+  The pipeline: an image goes through the rooms once, in this order. Two outlines never depend on one another but
+  that nothing is sought inside the code of a marker, so several threads find what one finds.
+*/
+void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
+                                          double deadline)
 {
-public:
-  DetectorSettings settings;
-  std::vector<vpCircleMarkerDetection> detections;
-  bool displayTag = false;
-  vpColor displayColor = vpColor::none;
-  unsigned int displayThickness = 2;
-
-  // The pipeline: an image goes through the rooms once, in this order.
-  void detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam, double deadline)
-  {
-    m_recognised.clear();
-    detections.clear();
-    const CameraModel camera(cam);
-    for (const EllipseCandidate &candidate : findOutlines(I, m_outlines)) {
-      if (vpTime::measureTimeMs() > deadline) {
-        break;
-      }
-      if (isPartOfDetected(candidate.ellipse)) {
-        continue;
-      }
-      const auto poses = posesFromOutline(candidate.points, camera, 0.5 * size);
-      if (!poses) {
-        continue;
-      }
-      for (const vpCircleMarkerFamily &family : settings.families) {
-        const auto marker = recognise(I, camera, *poses, candidate.contrast, family, settings.decode);
-        if (marker && addDetection(I, camera, candidate, *marker)) {
-          break;
-        }
-      }
+  found.clear();
+  image = I;
+  const CameraModel camera(cam);
+  const std::vector<EllipseCandidate> &outlines = findOutlines(image, settings.threads > 1, m_outlines);
+  std::vector<std::optional<Found>> examined;
+  if (settings.threads > 1) {
+    examined = examineAll(outlines, size, camera, deadline);
+  }
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (isPartOfFound(outlines[i].ellipse)) {
+      continue;
+    }
+    if (examined.empty() && vpTime::measureTimeMs() > deadline) {
+      break;
+    }
+    auto marker = examined.empty() ? examine(outlines[i], size, camera, m_pixels) : std::move(examined[i]);
+    if (marker) {
+      found.push_back(std::move(*marker));
     }
   }
-
-  // The pose of a marker for another size or camera, from its outline and the image it was detected in.
-  std::optional<vpCircleMarkerDetection> measureAgain(const vpImage<unsigned char> &I, std::size_t index, double size,
-                                                      const vpCameraParameters &cam)
-  {
-    const CameraModel camera(cam);
-    const Found &found = m_recognised[index];
-    const auto poses = posesFromOutline(found.outline, camera, 0.5 * size);
-    if (!poses) {
-      return std::nullopt;
-    }
-    const auto marker =
-        recognise(I, camera, *poses, found.contrast, found.marker.family, settings.decode);
-    if (!marker || marker->code.id != found.marker.code.id) {
-      return std::nullopt;
-    }
-    const auto measurement = measure(I, camera, *marker, settings.refinePose, m_pixels);
-    if (!measurement) {
-      return std::nullopt;
-    }
-    return reportOf(*marker, *measurement, camera, found.visible, settings.zAlignedWithCameraAxis);
+  detections.clear();
+  for (const Found &marker : found) {
+    detections.push_back(marker.detection);
   }
+}
 
-  std::vector<vpImagePoint> polygonOf(std::size_t index) const { return m_recognised[index].polygon; }
-
-  vpImage<unsigned char> image; // the last one, for getPose()
-
-private:
-  // What is kept of a detected marker to measure it again.
-  struct Found
-  {
-    Recognition marker;
-    std::vector<EdgePoint> outline;
-    std::vector<vpImagePoint> polygon;
-    double contrast;
-    double visible;
-  };
-
-  // Whether an outline is a piece of a marker that is known already: its code, or its ring again.
-  bool isPartOfDetected(const EllipseParameters &ellipse) const
-  {
-    for (const vpCircleMarkerDetection &known : detections) {
-      const EllipseParameters outer = {Eigen::Vector2d(known.ellipse.center.get_u(), known.ellipse.center.get_v()),
-                                       known.ellipse.a, known.ellipse.b, known.ellipse.angle};
-      const Eigen::Vector2d offset = Eigen::Rotation2Dd(-outer.angle) * (ellipse.center - outer.center);
-      // Affine image of the ring as the unit circle: distance of the centres, and the larger reach of the outline.
-      const double distance = Eigen::Vector2d(offset.x() / outer.a, offset.y() / outer.b).norm();
-      const double reach = distance + ellipse.a / outer.a;
-      if (distance < 1. && reach > whiteCenter) {
-        return true;
-      }
-    }
-    return false;
+/*! One outline through the rooms after the outlines: pose, decode, refine. */
+std::optional<vpDetectorCircleMarker::Impl::Found>
+vpDetectorCircleMarker::Impl::examine(const EllipseCandidate &outline, double size, const CameraModel &camera,
+                                      std::vector<FitPixel> &pixels) const
+{
+  const auto poses = posesFromOutline(outline.points, camera, 0.5 * size);
+  if (!poses) {
+    return std::nullopt;
   }
-
-  bool addDetection(const vpImage<unsigned char> &I, const CameraModel &camera, const EllipseCandidate &candidate,
-                    Recognition marker)
-  {
-    const auto known = settings.sizes.find(marker.code.id);
+  for (const vpCircleMarkerFamily &family : settings.families) {
+    auto marker = recognise(image, camera, *poses, outline.contrast, family, settings.decode);
+    if (!marker) {
+      continue;
+    }
+    const auto known = settings.sizes.find(marker->code.id);
     if (known != settings.sizes.end()) {
-      // The image fixes the pose up to the size: everything scales with it.
-      for (MarkerPlane &plane : marker.poses) {
-        plane.center *= 0.5 * known->second / plane.radius;
-        plane.radius = 0.5 * known->second;
-      }
+      scaleTo(known->second, marker->poses);
     }
-    const auto measurement = measure(I, camera, marker, settings.refinePose, m_pixels);
-    if (!measurement) {
-      return false;
+    if (const auto measurement = measure(image, camera, *marker, settings.refinePose, pixels)) {
+      return Found{reportOf(*marker, *measurement, camera, outline.support, settings.zAlignedWithCameraAxis),
+                   *marker,
+                   outline.points,
+                   outline.contrast,
+                   outline.support,
+                   outlineOf(measurement->first.plane, camera, polygonPoints)};
     }
-    const vpCircleMarkerDetection detection =
-        reportOf(marker, *measurement, camera, candidate.support, settings.zAlignedWithCameraAxis);
-    detections.push_back(detection);
-    m_recognised.push_back({marker, candidate.points, outlineOf(measurement->first.plane, camera, polygonPoints),
-                            candidate.contrast, candidate.support});
-    return true;
   }
+  return std::nullopt;
+}
 
-  OutlineMemory m_outlines;
-  std::vector<Found> m_recognised; // one for each detection
-  std::vector<FitPixel> m_pixels;
-};
+/*! All outlines, shared among the threads; those that the deadline leaves no time for are left empty. */
+std::vector<std::optional<vpDetectorCircleMarker::Impl::Found>>
+vpDetectorCircleMarker::Impl::examineAll(const std::vector<EllipseCandidate> &outlines, double size,
+                                         const CameraModel &camera, double deadline) const
+{
+  std::vector<std::optional<Found>> examined(outlines.size());
+  std::atomic<std::size_t> next(0);
+  const auto work = [&]() {
+    std::vector<FitPixel> pixels;
+    for (std::size_t i = next++; i < outlines.size() && vpTime::measureTimeMs() <= deadline; i = next++) {
+      examined[i] = examine(outlines[i], size, camera, pixels);
+    }
+  };
+  std::vector<std::future<void>> workers;
+  for (unsigned int i = 0; i < settings.threads; ++i) {
+    workers.push_back(std::async(std::launch::async, work));
+  }
+  for (std::future<void> &worker : workers) {
+    worker.get(); // passes on what a worker has thrown
+  }
+  return examined;
+}
+
+/*! The pose of a marker for another size or camera, from its outline and the image it was found in. */
+std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgain(std::size_t index, double size,
+                                                                                  const vpCameraParameters &cam)
+{
+  const CameraModel camera(cam);
+  const Found &known = at(index);
+  const auto poses = posesFromOutline(known.outline, camera, 0.5 * size);
+  if (!poses) {
+    return std::nullopt;
+  }
+  const auto marker = recognise(image, camera, *poses, known.contrast, known.marker.family, settings.decode);
+  if (!marker || marker->code.id != known.marker.code.id) {
+    return std::nullopt;
+  }
+  const auto measurement = measure(image, camera, *marker, settings.refinePose, m_pixels);
+  if (!measurement) {
+    return std::nullopt;
+  }
+  return reportOf(*marker, *measurement, camera, known.visible, settings.zAlignedWithCameraAxis);
+}
+
+/*! Whether an outline is a piece of a marker that is known already: its code, or its ring again. */
+bool vpDetectorCircleMarker::Impl::isPartOfFound(const EllipseParameters &ellipse) const
+{
+  for (const Found &known : found) {
+    const vpImageEllipse &outer = known.detection.ellipse;
+    const Eigen::Vector2d center(outer.center.get_u(), outer.center.get_v());
+    const Eigen::Vector2d offset = Eigen::Rotation2Dd(-outer.angle) * (ellipse.center - center);
+    // Affine image of the ring as the unit circle: distance of the centres, and the larger reach of the outline.
+    const double distance = Eigen::Vector2d(offset.x() / outer.a, offset.y() / outer.b).norm();
+    const double reach = distance + ellipse.a / outer.a;
+    if (distance < 1. && reach > whiteCenter) {
+      return true;
+    }
+  }
+  return false;
+}
+
+const vpDetectorCircleMarker::Impl::Found &vpDetectorCircleMarker::Impl::at(std::size_t index) const
+{
+  if (index >= found.size()) {
+    throw vpException(vpException::badValue, "vpDetectorCircleMarker: there is no marker %lu; the last image has %lu",
+                      static_cast<unsigned long>(index), static_cast<unsigned long>(found.size()));
+  }
+  return found[index];
+}
 
 /*!
   \param family : Family to look for.
@@ -190,17 +204,22 @@ vpDetectorCircleMarker::vpDetectorCircleMarker(const vpCircleMarkerFamily &famil
   \param family : Family to look for.
 */
 vpDetectorCircleMarker::vpDetectorCircleMarker(vpCircleMarkerFamily::vpType family)
-  : vpDetectorCircleMarker(vpCircleMarkerFamily(family))
-{ }
+    : vpDetectorCircleMarker(vpCircleMarkerFamily(family))
+{
+}
 
 vpDetectorCircleMarker::vpDetectorCircleMarker(const vpDetectorCircleMarker &other)
-  : vpDetectorBase(other), m_impl(new Impl(*other.m_impl))
-{ }
+    : vpDetectorBase(other), m_impl(new Impl(*other.m_impl))
+{
+}
 
 vpDetectorCircleMarker &vpDetectorCircleMarker::operator=(const vpDetectorCircleMarker &other)
 {
   if (this != &other) {
-    vpDetectorBase::operator=(other);
+    m_polygon = other.m_polygon;
+    m_message = other.m_message;
+    m_nb_objects = other.m_nb_objects;
+    m_timeout_ms = other.m_timeout_ms;
     m_impl.reset(new Impl(*other.m_impl));
   }
   return *this;
@@ -241,14 +260,13 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size
                                     std::vector<vpHomogeneousMatrix> *cMo_vec2, std::vector<double> *projErrors,
                                     std::vector<double> *projErrors2)
 {
-  checkSize(size);
+  circle_marker::checkMarkerSize(size);
   constexpr unsigned int leastSide = 16; // pixels
   if (I.getWidth() < leastSide || I.getHeight() < leastSide) {
     throw vpException(vpException::dimensionError,
                       "vpDetectorCircleMarker: the image is %u x %u pixels; at least %u x %u are needed", I.getWidth(),
                       I.getHeight(), leastSide, leastSide);
   }
-  m_impl->image = I;
   const double deadline = m_timeout_ms > 0 ? vpTime::measureTimeMs() + static_cast<double>(m_timeout_ms) : HUGE_VAL;
   m_impl->detect(I, size, cam, deadline);
   const auto fill = [this](auto *output, auto value) {
@@ -271,33 +289,13 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size
   m_nb_objects = m_impl->detections.size();
   m_polygon.clear();
   for (std::size_t i = 0; i < m_nb_objects; ++i) {
-    m_polygon.push_back(m_impl->polygonOf(i));
+    m_polygon.push_back(m_impl->found[i].polygon);
   }
   if (m_impl->displayTag) {
     displayTags(I, m_impl->displayColor, m_impl->displayThickness);
   }
   return m_nb_objects > 0;
 }
-
-/*!
-  \return What the last call of detect() found, in the order of the messages and polygons.
-*/
-const std::vector<vpCircleMarkerDetection> &vpDetectorCircleMarker::getDetections() const
-{
-  return m_impl->detections;
-}
-
-namespace
-{
-const vpCircleMarkerDetection &at(const std::vector<vpCircleMarkerDetection> &detections, size_t index)
-{
-  if (index >= detections.size()) {
-    throw vpException(vpException::badValue, "vpDetectorCircleMarker: there is no marker %lu; the last image has %lu",
-                      static_cast<unsigned long>(index), static_cast<unsigned long>(detections.size()));
-  }
-  return detections[index];
-}
-} // namespace
 
 /*!
   Pose of a marker of the last image for a given size and camera.
@@ -312,13 +310,11 @@ const vpCircleMarkerDetection &at(const std::vector<vpCircleMarkerDetection> &de
   \return Whether the pose could be computed with this camera.
   \exception vpException::badValue : If there is no such marker, or the size is not positive.
 */
-bool vpDetectorCircleMarker::getPose(size_t index, double size, const vpCameraParameters &cam,
-                                     vpHomogeneousMatrix &cMo, vpHomogeneousMatrix *cMo2, double *projError,
-                                     double *projError2)
+bool vpDetectorCircleMarker::getPose(size_t index, double size, const vpCameraParameters &cam, vpHomogeneousMatrix &cMo,
+                                     vpHomogeneousMatrix *cMo2, double *projError, double *projError2)
 {
-  checkSize(size);
-  at(m_impl->detections, index);
-  const auto detection = m_impl->measureAgain(m_impl->image, index, size, cam);
+  circle_marker::checkMarkerSize(size);
+  const auto detection = m_impl->measureAgain(index, size, cam);
   if (!detection) {
     return false;
   }
@@ -333,209 +329,6 @@ bool vpDetectorCircleMarker::getPose(size_t index, double size, const vpCameraPa
     *projError2 = detection->cost2;
   }
   return true;
-}
-
-/*!
-  \return Image of the centre of a marker, pixels. It is neither the centre of its ellipse nor getCog().
-  \exception vpException::badValue : If there is no such marker.
-*/
-vpImagePoint vpDetectorCircleMarker::getCenter(size_t index) const { return at(m_impl->detections, index).center; }
-
-/*!
-  \return 6 x 6 covariance of a marker's pose: see vpCircleMarkerDetection.
-  \exception vpException::badValue : If there is no such marker.
-*/
-vpMatrix vpDetectorCircleMarker::getCovariance(size_t index) const { return at(m_impl->detections, index).covariance; }
-
-/*!
-  \return ln(likelihood of the first pose / likelihood of the second), HUGE_VAL if there is no second one.
-  \exception vpException::badValue : If there is no such marker.
-*/
-double vpDetectorCircleMarker::getLogOdds(size_t index) const { return at(m_impl->detections, index).logOdds; }
-
-/*!
-  \return Mean agreement of the code's sectors with the codeword, from 0 to 1 (each sector black or white as the
-  codeword has it); 1 without a code.
-  \exception vpException::badValue : If there is no such marker.
-*/
-double vpDetectorCircleMarker::getMargin(size_t index) const { return at(m_impl->detections, index).margin; }
-
-/*!
-  \return Number of sectors of the code that had to be corrected.
-  \exception vpException::badValue : If there is no such marker.
-*/
-unsigned int vpDetectorCircleMarker::getHammingDistance(size_t index) const
-{
-  return at(m_impl->detections, index).hamming;
-}
-
-/*!
-  \return Identity of each marker; -1 without a code. Named as in vpDetectorAprilTag.
-*/
-std::vector<int> vpDetectorCircleMarker::getTagsId() const
-{
-  std::vector<int> ids;
-  for (const vpCircleMarkerDetection &detection : m_impl->detections) {
-    ids.push_back(detection.id);
-  }
-  return ids;
-}
-
-/*!
-  \return For each marker, points along the image of its outer edge, pixels. Named as in vpDetectorAprilTag.
-*/
-std::vector<std::vector<vpImagePoint> > vpDetectorCircleMarker::getTagsCorners() const { return m_polygon; }
-
-/*!
-  \return For each marker, the number of corrected sectors. Named as in vpDetectorAprilTag.
-*/
-std::vector<int> vpDetectorCircleMarker::getTagsHammingDistance() const
-{
-  std::vector<int> distances;
-  for (const vpCircleMarkerDetection &detection : m_impl->detections) {
-    distances.push_back(static_cast<int>(detection.hamming));
-  }
-  return distances;
-}
-
-/*!
-  \return For each marker, its decision margin: see getMargin(). Named as in vpDetectorAprilTag.
-*/
-std::vector<float> vpDetectorCircleMarker::getTagsDecisionMargin() const
-{
-  std::vector<float> margins;
-  for (const vpCircleMarkerDetection &detection : m_impl->detections) {
-    margins.push_back(static_cast<float>(detection.margin));
-  }
-  return margins;
-}
-
-/*!
-  \param family : The only family to look for.
-*/
-void vpDetectorCircleMarker::setFamily(const vpCircleMarkerFamily &family) { m_impl->settings.families = {family}; }
-
-/*!
-  \param families : Families to look for, at least one. An outline that could be of several is given to the first.
-  \exception vpException::badValue : If there is none.
-*/
-void vpDetectorCircleMarker::setFamilies(const std::vector<vpCircleMarkerFamily> &families)
-{
-  if (families.empty()) {
-    throw vpException(vpException::badValue, "vpDetectorCircleMarker: at least one family must be looked for");
-  }
-  m_impl->settings.families = families;
-}
-
-/*!
-  \return Families that are looked for.
-*/
-const std::vector<vpCircleMarkerFamily> &vpDetectorCircleMarker::getFamilies() const
-{
-  return m_impl->settings.families;
-}
-
-/*!
-  \param sizes : Sizes of single markers, metres, by id; the others have the size given to detect().
-  \exception vpException::badValue : If a size is not positive.
-*/
-void vpDetectorCircleMarker::setMarkerSizes(const std::map<int, double> &sizes)
-{
-  for (const auto &[id, size] : sizes) {
-    (void)id;
-    checkSize(size);
-  }
-  m_impl->settings.sizes = sizes;
-}
-
-/*!
-  \param distance : Most sectors of a code that are corrected (2 by default). The codes of distance 7 correct 3: every
-  word of golay23 is then a marker, so keep to 2 at most where phantoms matter.
-*/
-void vpDetectorCircleMarker::setMaximumHammingDistance(unsigned int distance)
-{
-  m_impl->settings.decode.maximumHamming = distance;
-}
-
-/*!
-  \param margin : Least decision margin, from 0 to 1 (see getMargin()).
-  \exception vpException::badValue : If it is outside of [0, 1].
-*/
-void vpDetectorCircleMarker::setMinimumMargin(double margin)
-{
-  if (!(margin >= 0. && margin <= 1.)) {
-    throw vpException(vpException::badValue, "vpDetectorCircleMarker: the margin %g is not in [0, 1]", margin);
-  }
-  m_impl->settings.decode.minimumMargin = margin;
-}
-
-/*!
-  \param threads : Number of threads, at least one.
-  \exception vpException::badValue : If it is 0.
-*/
-void vpDetectorCircleMarker::setNbThreads(unsigned int threads)
-{
-  if (threads == 0) {
-    throw vpException(vpException::badValue, "vpDetectorCircleMarker: at least one thread is needed");
-  }
-  m_impl->settings.threads = threads;
-}
-
-/*!
-  \param refine : Whether poses are refined on the grey levels around the marker's edges (the default), or left as the
-  closed form of vpPoseCircle gives them, which takes less time.
-*/
-void vpDetectorCircleMarker::setRefinePose(bool refine) { m_impl->settings.refinePose = refine; }
-
-/*!
-  \param aligned : Whether the marker's z axis points into the marker (and y down), or toward the camera (and y up),
-  which is the default as in vpDetectorAprilTag.
-*/
-void vpDetectorCircleMarker::setZAlignedWithCameraAxis(bool aligned)
-{
-  m_impl->settings.zAlignedWithCameraAxis = aligned;
-}
-
-/*!
-  Reads settings from a JSON file; those it does not name stay as they are. Keys: families (list of names), sizes
-  (id to metres), maximumHammingDistance, minimumMargin, refinePose, zAlignedWithCameraAxis, threads.
-
-  \param filename : Its path.
-  \exception vpException::ioError : If it cannot be read.
-  \exception vpException::badValue : If it is not JSON, or a key or value is not known.
-  \exception vpException::functionNotImplementedError : If the module was built without nlohmann-json.
-*/
-void vpDetectorCircleMarker::loadConfigFile(const std::string &filename)
-{
-  const DetectorSettings settings = readSettings(filename, m_impl->settings);
-  setFamilies(settings.families);
-  setMarkerSizes(settings.sizes);
-  setMinimumMargin(settings.decode.minimumMargin);
-  setNbThreads(settings.threads);
-  m_impl->settings = settings;
-}
-
-/*!
-  Writes the settings as loadConfigFile() reads them, whole or not at all.
-  \param filename : Path of the file.
-  \exception vpException::ioError : If it cannot be written.
-  \exception vpException::functionNotImplementedError : If the module was built without nlohmann-json.
-*/
-void vpDetectorCircleMarker::saveConfigFile(const std::string &filename) const
-{
-  writeSettings(filename, m_impl->settings);
-}
-
-/*!
-  \param display : Whether detect() draws the outline of what it finds in the image's display.
-  \param color : Colour; vpColor::none for the default.
-  \param thickness : Of the lines, pixels.
-*/
-void vpDetectorCircleMarker::setDisplayTag(bool display, const vpColor &color, unsigned int thickness)
-{
-  m_impl->displayTag = display;
-  m_impl->displayColor = color;
-  m_impl->displayThickness = thickness;
 }
 
 END_VISP_NAMESPACE

@@ -21,13 +21,11 @@
 
 BEGIN_VISP_NAMESPACE
 
-namespace
-{
+namespace {
 template <class Pixel>
-void displayOutlines(const vpImage<Pixel> &I, const std::vector<std::vector<vpImagePoint> > &outlines,
-                     const std::vector<std::string> &messages,
-                     const std::vector<vpCircleMarkerDetection> &detections, const vpColor &color,
-                     unsigned int thickness)
+void displayOutlines(const vpImage<Pixel> &I, const std::vector<std::vector<vpImagePoint>> &outlines,
+                     const std::vector<std::string> &messages, const std::vector<vpCircleMarkerDetection> &detections,
+                     const vpColor &color, unsigned int thickness)
 {
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     vpDisplay::displayPolygon(I, outlines[i], color == vpColor::none ? vpColor::green : color, thickness);

@@ -20,10 +20,8 @@
 #include "decode/cyclic_code.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // Black and white sectors differ by this share of the ring's contrast at least: a golay23 track of 20 pixels outer
 // diameter at 45 degrees keeps about a fifth after the blur between sectors is undone.
 constexpr double leastContrast = 0.2;

@@ -23,8 +23,7 @@
 #include "decode/sector_reading.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! How strictly a code is read. */
 struct DecodeSettings
 {

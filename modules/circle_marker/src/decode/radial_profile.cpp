@@ -23,10 +23,8 @@
 #include "support/bilinear.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // Directions of the median: enough that a code's sectors and an occluder of a quarter do not decide it.
 constexpr unsigned int directions = 48;
 // The white around is taken at this radius, outside the blur of the edge.

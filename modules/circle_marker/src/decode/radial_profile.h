@@ -27,14 +27,13 @@
 #include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! Median grey level over the angle, as a function of the radius. */
 struct RadialProfile
 {
-  static constexpr unsigned int size = 56;        //!< Number of radii.
-  static constexpr double step = 0.02;            //!< Their distance, in units of the outer radius.
-  std::array<double, size> grey {};               //!< At the radii step/2, 3 step/2, ...
+  static constexpr unsigned int size = 56; //!< Number of radii.
+  static constexpr double step = 0.02;     //!< Their distance, in units of the outer radius.
+  std::array<double, size> grey{};         //!< At the radii step/2, 3 step/2, ...
 
   static double radiusAt(unsigned int i) { return (i + 0.5) * step; }
 };

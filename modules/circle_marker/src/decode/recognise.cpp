@@ -23,10 +23,8 @@
 #include "decode/radial_profile.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // The radial profile of a blurred thin ring keeps this share of the step across the outline.
 constexpr double shareOfContrast = 0.3;
 // A ring whose measured inner radius is this near to the family's own is taken for one of that family's ratio: by the

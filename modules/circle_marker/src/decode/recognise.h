@@ -24,8 +24,7 @@
 #include "pose/hypotheses.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! A recognised marker: its code, if it has one, and its poses with the spin set by the code. */
 struct Recognition
 {

@@ -27,10 +27,8 @@
 #include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // Samples of the track for each sector; also the number of phases tried. An eighth of a sector is 2 degrees of spin.
 constexpr unsigned int samplesPerSector = 8;
 constexpr unsigned int mostSamples = samplesPerSector * mostSectors;
@@ -51,8 +49,8 @@ using SectorVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostSectors, 1>
 struct Track
 {
   unsigned int samples = 0;
-  Profile grey;        // reflectance: 1 for the white around, 0 for the black of the ring
-  Profile blur;        // of a sample along the track, as an angle, rad
+  Profile grey; // reflectance: 1 for the white around, 0 for the black of the ring
+  Profile blur; // of a sample along the track, as an angle, rad
 };
 
 std::optional<double> sampleAt(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
@@ -102,10 +100,10 @@ std::optional<Track> sampleTrack(const vpImage<unsigned char> &I, const CameraMo
     black += *ring;
     // Angle for a pixel along the track at its middle radius.
     const double step = 0.02; // rad: a secant short enough to be a tangent
-    const Eigen::Vector2d before = camera.toPixel(
-        plane.project(radii[1] * Eigen::Vector2d(std::cos(angle - step), std::sin(angle - step))));
-    const Eigen::Vector2d after = camera.toPixel(
-        plane.project(radii[1] * Eigen::Vector2d(std::cos(angle + step), std::sin(angle + step))));
+    const Eigen::Vector2d before =
+        camera.toPixel(plane.project(radii[1] * Eigen::Vector2d(std::cos(angle - step), std::sin(angle - step))));
+    const Eigen::Vector2d after =
+        camera.toPixel(plane.project(radii[1] * Eigen::Vector2d(std::cos(angle + step), std::sin(angle + step))));
     track.blur[i] = assumedBlur * 2. * step / (after - before).norm();
   }
   const double n = track.samples;

@@ -28,8 +28,7 @@
 #include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! Most sectors of a code track. */
 constexpr unsigned int mostSectors = 31;
 

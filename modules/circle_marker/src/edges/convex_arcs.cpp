@@ -20,10 +20,8 @@
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // Chords over which the bend is measured, points. Two chords of 5 pixels with points good to 0.1 pixel give an angle
 // good to 0.03 rad.
 constexpr std::size_t chord = 5;

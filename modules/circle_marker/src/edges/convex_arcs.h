@@ -25,8 +25,7 @@
 #include "edges/edge_points.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*!
   Twice the signed area enclosed by a chain of edge points (closed by its chord), square pixels: positive if the chain
   runs clockwise as the image is seen, which is the outline of something dark.

@@ -21,10 +21,8 @@
 #include <cstdlib>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // Cosine of the largest angle between an edge's normal and the direction it is searched along: 60 degrees.
 constexpr double leastCosine = 0.5;
 

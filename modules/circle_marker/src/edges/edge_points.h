@@ -27,8 +27,7 @@
 #include "segment/gradient.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! A point of an edge. */
 struct EdgePoint
 {

@@ -24,10 +24,8 @@
 #include "edges/convex_arcs.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // The smallest ellipse worth trying: a minor axis of 4 pixels still shows its dark band.
 constexpr double leastSemiMinor = 2.;
 // A circle seen at 85 degrees has an axis ratio of 0.087.
@@ -81,7 +79,10 @@ double rootMeanSquareDistance(const EllipseCandidate &candidate, const EdgePoint
   return std::sqrt(sum / static_cast<double>(count));
 }
 
-double tolerance(const EllipseParameters &ellipse) { return fitTolerance + fitToleranceOfSize * ellipse.a; }
+double tolerance(const EllipseParameters &ellipse)
+{
+  return fitTolerance + fitToleranceOfSize * ellipse.a;
+}
 
 // Point and outward unit normal of an ellipse at a parameter angle.
 EdgePoint pointOfEllipse(const EllipseParameters &ellipse, double parameter)
@@ -155,8 +156,9 @@ class Finder
 {
 public:
   Finder(const vpImage<unsigned char> &I, const Gradient &gradient, std::vector<EllipseCandidate> &candidates)
-    : m_image(I), m_gradient(gradient), m_candidates(candidates)
-  { }
+      : m_image(I), m_gradient(gradient), m_candidates(candidates)
+  {
+  }
 
   // Tries a run of edge points as one outline.
   EllipseReject tryPoints(const EdgePoint *points, std::size_t count)

@@ -24,8 +24,7 @@
 #include "ellipse/fit_conic.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! Why a chain of edge points was not taken for the outline of a marker. */
 enum class EllipseReject
 {

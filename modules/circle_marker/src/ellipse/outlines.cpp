@@ -18,14 +18,13 @@
 #include "ellipse/outlines.h"
 
 #include <algorithm>
+#include <future>
 
 #include <opencv2/imgproc.hpp>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // The outline of the smallest marker that can be read, with a minor axis of 4 pixels, has 20 pixels.
 constexpr std::size_t shortestChain = 14;
 // Of the half-size image only outlines of this semi-minor axis count, pixels of the half: smaller ones are found at
@@ -65,17 +64,20 @@ EllipseCandidate enlarged(const EllipseCandidate &half)
 }
 } // namespace
 
-const std::vector<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, OutlineMemory &memory)
+const std::vector<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, bool parallel, OutlineMemory &memory)
 {
+  auto half = std::async(parallel ? std::launch::async : std::launch::deferred, [&]() {
+    halve(I, memory.halved);
+    findAt(memory.halved, memory.half);
+  });
   findAt(I, memory.full);
-  halve(I, memory.halved);
-  findAt(memory.halved, memory.half);
+  half.get();
   std::vector<EllipseCandidate> &candidates = memory.full.candidates;
-  for (const EllipseCandidate &half : memory.half.candidates) {
-    if (half.ellipse.b < leastHalfSemiMinor) {
+  for (const EllipseCandidate &small : memory.half.candidates) {
+    if (small.ellipse.b < leastHalfSemiMinor) {
       continue;
     }
-    const EllipseCandidate candidate = enlarged(half);
+    const EllipseCandidate candidate = enlarged(small);
     const bool known = std::any_of(candidates.begin(), candidates.end(), [&](const EllipseCandidate &other) {
       return isSameOutline(other.ellipse, candidate.ellipse);
     });

@@ -23,8 +23,7 @@
 #include "ellipse/ellipse_candidates.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! Memory of findOutlines(), used again from image to image. */
 struct OutlineMemory
 {
@@ -46,10 +45,12 @@ struct OutlineMemory
   Edges of several pixels' width (blur, motion, enlarged or compressed pictures) break into pieces at full size and are
   sharp at half; thin rings are seen at full size only. An outline that both see is taken from the full size.
   \param I : The image.
+  \param parallel : Whether the two scales are searched by two threads.
   \param memory : Working memory.
   \return The outlines in pixels of \e I, largest first; they stay in \e memory.
 */
-const std::vector<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, OutlineMemory &memory);
+const std::vector<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, bool parallel,
+                                                  OutlineMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

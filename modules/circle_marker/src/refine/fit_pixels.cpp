@@ -23,10 +23,8 @@
 #include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // Half-width of the band of pixels along an edge, in units of the blur: beyond, an edge has no slope.
 constexpr double bandOfBlur = 3.2;
 // A pixel that may see more than this share of what lies beyond the quiet zone is not used.
@@ -84,8 +82,8 @@ double edgeLength(const MarkerPattern &pattern, double meanRadius)
 } // namespace
 
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                  std::size_t count, const MarkerPattern &pattern, double blur, double quietZone,
-                  double most, std::vector<FitPixel> &pixels)
+                  std::size_t count, const MarkerPattern &pattern, double blur, double quietZone, double most,
+                  std::vector<FitPixel> &pixels)
 {
   pixels.clear();
   const double band = bandOfBlur * blur;
@@ -112,8 +110,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
         const PatternDistance here = distanceToPattern(pixel.model, planes[i], pattern);
         distance = std::min(distance, here.toEdges);
         const double toSurround = (outermost - here.radius) / here.radiusPerPixel;
-        pixel.surround =
-            std::max(pixel.surround, NormalDistribution::instance().at(-toSurround / blur).cumulative);
+        pixel.surround = std::max(pixel.surround, NormalDistribution::instance().at(-toSurround / blur).cumulative);
         inside = pixel.surround < mostSurround;
       }
       if (!inside || (distance > band && !flatSample)) {

@@ -26,8 +26,7 @@
 #include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! A pixel of the image with what the model needs of it. */
 struct FitPixel
 {
@@ -50,8 +49,8 @@ struct FitPixel
   \param pixels : The result; its memory is used again.
 */
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                  std::size_t count, const MarkerPattern &pattern, double blur, double quietZone,
-                  double most, std::vector<FitPixel> &pixels);
+                  std::size_t count, const MarkerPattern &pattern, double blur, double quietZone, double most,
+                  std::vector<FitPixel> &pixels);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

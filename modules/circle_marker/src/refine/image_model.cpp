@@ -23,10 +23,8 @@
 #include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // Edges farther than this many standard deviations of the blur do not touch a pixel (1e-6 of the contrast).
 constexpr double reach = 4.8;
 // A circular edge farther than this many standard deviations, to first order, is not looked at any closer.
@@ -37,9 +35,9 @@ constexpr int neighbours = 2;
 // A pixel on the marker's plane and how the plane's coordinates change with pixel and pose.
 struct PlanePoint
 {
-  Eigen::Vector2d q;                   // in units of the outer radius
-  Eigen::Matrix2d byPixel;             // dq / d(pixel)
-  Eigen::Matrix<double, 2, 6> byPose;  // dq / d(t, w)
+  Eigen::Vector2d q;                  // in units of the outer radius
+  Eigen::Matrix2d byPixel;            // dq / d(pixel)
+  Eigen::Matrix<double, 2, 6> byPose; // dq / d(t, w)
 };
 
 PlanePoint planePoint(const ModelPixel &pixel, const MarkerPlane &plane)
@@ -65,11 +63,11 @@ PlanePoint planePoint(const ModelPixel &pixel, const MarkerPlane &plane)
 // An edge that a pixel may see both sides of: share of what lies on its black side, and derivatives.
 struct SeenEdge
 {
-  double standardised = 0.;                             // distance in standard deviations
-  double cumulative = 0.;                               // share of the black side
-  double density = 0.;                                  // of the standard normal distribution there
-  Eigen::Vector2d direction = Eigen::Vector2d::Zero();  // unit vector in the image, to the black side
-  Eigen::Vector2d byQ = Eigen::Vector2d::Zero();        // derivative of the share by the plane's coordinates
+  double standardised = 0.;                            // distance in standard deviations
+  double cumulative = 0.;                              // share of the black side
+  double density = 0.;                                 // of the standard normal distribution there
+  Eigen::Vector2d direction = Eigen::Vector2d::Zero(); // unit vector in the image, to the black side
+  Eigen::Vector2d byQ = Eigen::Vector2d::Zero();       // derivative of the share by the plane's coordinates
   double bySigma = 0.;
   double byGrowth = 0.;
 };
@@ -210,8 +208,7 @@ double cornerExcess(const SeenEdge &p, const SeenEdge &q)
   const double a = p.standardised;
   const double b = q.standardised;
   const double rho = p.direction.dot(q.direction);
-  return p.density * q.density *
-         rho * (1. + 0.5 * rho * a * b + rho * rho * (a * a - 1.) * (b * b - 1.) / 6.);
+  return p.density * q.density * rho * (1. + 0.5 * rho * a * b + rho * rho * (a * a - 1.) * (b * b - 1.) / 6.);
 }
 } // namespace
 

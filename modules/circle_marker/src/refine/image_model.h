@@ -39,8 +39,7 @@
 #include "refine/marker_pattern.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! A pixel as the model needs it. */
 struct ModelPixel
 {
@@ -60,8 +59,8 @@ struct Darkness
 {
   double value = 0.;
   Eigen::Matrix<double, 6, 1> byPose = Eigen::Matrix<double, 6, 1>::Zero(); //!< See below.
-  double bySigma = 0.;  //!< 1 / pixel.
-  double byGrowth = 0.; //!< 1 / pixel.
+  double bySigma = 0.;                                                      //!< 1 / pixel.
+  double byGrowth = 0.;                                                     //!< 1 / pixel.
 };
 
 /*!

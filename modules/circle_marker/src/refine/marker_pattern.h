@@ -27,8 +27,7 @@
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! An edge between white and black that is a circle about the marker's centre. */
 struct RadialEdge
 {
@@ -39,13 +38,13 @@ struct RadialEdge
 /*! What is printed: black between radii, and black sectors of the code track. Unit: the ring's outer radius. */
 struct MarkerPattern
 {
-  std::array<RadialEdge, 2> ring {}; //!< Edges of the ring; a disc has the first alone.
+  std::array<RadialEdge, 2> ring{};  //!< Edges of the ring; a disc has the first alone.
   unsigned int ringEdges = 0;        //!< Their number.
-  std::array<RadialEdge, 2> track {}; //!< Outer and inner edge of the code track.
+  std::array<RadialEdge, 2> track{}; //!< Outer and inner edge of the code track.
   unsigned int sectors = 0;          //!< Number of sectors of the track; 0 without a code.
   std::uint32_t word = 0;            //!< Black sectors; sector 0 is the most significant of the bits.
   //! For each sector, the unit vector across its first border, toward the sector.
-  std::array<Eigen::Vector2d, 31> across {};
+  std::array<Eigen::Vector2d, 31> across{};
 
   bool isBlack(int sector) const { return (word >> (sectors - 1 - wrap(sector))) & 1U; }
 
@@ -72,7 +71,7 @@ inline MarkerPattern patternOf(const vpCircleMarkerFamily &family, int id, doubl
     pattern.ring[pattern.ringEdges++] = {ringInner, -1.};
   }
   if (family.isCoded()) {
-    pattern.track = {RadialEdge {family.getLayout().codeOuter, 1.}, RadialEdge {family.getLayout().codeInner, -1.}};
+    pattern.track = {RadialEdge{family.getLayout().codeOuter, 1.}, RadialEdge{family.getLayout().codeInner, -1.}};
     pattern.sectors = family.getNbSectors();
     pattern.word = family.getCodeword(id);
     for (unsigned int k = 0; k < pattern.sectors; ++k) {

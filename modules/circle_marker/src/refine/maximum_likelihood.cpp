@@ -23,10 +23,8 @@
 #include <Eigen/Cholesky>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 constexpr int poseSize = 6;
 constexpr int lightAt = 6;
 constexpr int gradientAt = 7;
@@ -121,8 +119,9 @@ class Fit
 {
 public:
   Fit(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, const FitSettings &settings)
-    : m_pixels(pixels), m_pattern(pattern), m_settings(settings)
-  { }
+      : m_pixels(pixels), m_pattern(pattern), m_settings(settings)
+  {
+  }
 
   // Light and contrast that explain the image best at the start pose: linear least squares.
   bool startPhotometry(const MarkerPlane &plane, Photometry &photometry) const
@@ -396,8 +395,8 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
   double squares = 0.;
   for (const FitPixel &pixel : pixels) {
     const double darkness = darknessAt(pixel.model, fit.plane, pattern, fit.photometry.blur).value;
-    squares += shareOfKnown(pixel, fit.photometry, noise) *
-               biweight(residualOf(pixel, fit.photometry, darkness), noise).cost;
+    squares +=
+        shareOfKnown(pixel, fit.photometry, noise) * biweight(residualOf(pixel, fit.photometry, darkness), noise).cost;
   }
   return squares;
 }

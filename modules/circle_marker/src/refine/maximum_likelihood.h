@@ -39,14 +39,13 @@
 #include "refine/fit_pixels.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! Light, contrast and blur of a marker's image. */
 struct Photometry
 {
-  double light = 200.;                                      //!< Grey level of white paper at the marker's centre.
-  Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero();  //!< Its change over the marker's size, grey levels.
-  double contrast = 0.8;                                    //!< 1 - black / white.
+  double light = 200.;                                     //!< Grey level of white paper at the marker's centre.
+  Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero(); //!< Its change over the marker's size, grey levels.
+  double contrast = 0.8;                                   //!< 1 - black / white.
   BlurParameters blur;
 };
 
@@ -55,10 +54,10 @@ struct FittedPose
 {
   MarkerPlane plane;
   Photometry photometry;
-  double squares = 0.;     //!< Sum of squared residuals, robust, grey levels^2.
-  double noise = 0.;       //!< Standard deviation of the residuals that count, grey levels.
-  double inliers = 0.;     //!< Share of the pixels that count, in [0, 1].
-  double correlation = 0.; //!< Between model and image, in [-1, 1].
+  double squares = 0.;                    //!< Sum of squared residuals, robust, grey levels^2.
+  double noise = 0.;                      //!< Standard deviation of the residuals that count, grey levels.
+  double inliers = 0.;                    //!< Share of the pixels that count, in [0, 1].
+  double correlation = 0.;                //!< Between model and image, in [-1, 1].
   Eigen::Matrix<double, 6, 6> covariance; //!< Of (t, w) as in image_model.h.
 };
 

@@ -24,10 +24,8 @@
 #include <Eigen/LU>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // A marker's image agrees with its model to better than this correlation, even with noise of a third of the contrast;
 // without refinement the start is worth less.
 constexpr double leastCorrelation = 0.85;
@@ -59,8 +57,8 @@ constexpr double hopelessOdds = 30.;
 bool isSamePose(const FittedPose &p, const FittedPose &q)
 {
   const Eigen::Vector3d turn = 0.5 * (p.plane.rotation.col(2).cross(q.plane.rotation.col(2)));
-  const Eigen::Matrix3d covariance = p.covariance.bottomRightCorner<3, 3>() +
-                                     1e-12 * Eigen::Matrix3d::Identity(); // the held spin leaves it singular
+  const Eigen::Matrix3d covariance =
+      p.covariance.bottomRightCorner<3, 3>() + 1e-12 * Eigen::Matrix3d::Identity(); // the held spin leaves it singular
   const double squared = 4. * turn.dot(covariance.inverse() * turn);
   return p.plane.rotation.col(2).dot(q.plane.rotation.col(2)) > 0. && squared < samePose * samePose;
 }
@@ -139,8 +137,7 @@ double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, s
 // Refines the poses that have a chance on many pixels around their own edges; a pose without one is kept as it is.
 std::vector<FittedPose> refineWorthy(const vpImage<unsigned char> &I, const CameraModel &camera,
                                      const MarkerPattern &pattern, const FitSettings &settings, double quietZone,
-                                     const std::vector<FittedPose> &coarse, double noise,
-                                     std::vector<FitPixel> &pixels)
+                                     const std::vector<FittedPose> &coarse, double noise, std::vector<FitPixel> &pixels)
 {
   std::vector<MarkerPlane> planes;
   std::vector<FitStart> starts;

@@ -25,8 +25,7 @@
 #include "refine/maximum_likelihood.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! The poses of a marker, the likelier first. */
 struct Measurement
 {

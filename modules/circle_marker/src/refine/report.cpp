@@ -22,10 +22,8 @@
 #include "ellipse/fit_conic.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // Points from which the image ellipse is described: with lens distortion it is the ellipse nearest to the curve.
 constexpr unsigned int outlinePoints = 64;
 

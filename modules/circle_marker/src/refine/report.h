@@ -23,8 +23,7 @@
 #include <visp3/circle_marker/vpCircleMarkerDetection.h>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*!
   Puts a measurement into the user's conventions: frames, covariance in the camera frame, image of the marker.
   \param marker, measurement : What was recognised and measured.

@@ -22,10 +22,8 @@
 #include <optional>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // The eight neighbours in the order of their angle from +x toward +y.
 constexpr int stepX[8] = {1, 1, 0, -1, -1, -1, 0, 1};
 constexpr int stepY[8] = {0, 1, 1, 1, 0, -1, -1, -1};
@@ -59,9 +57,10 @@ class Linker
 {
 public:
   Linker(const Gradient &gradient, EdgeChains &result)
-    : m_gradient(gradient), m_result(result), m_width(gradient.dx.cols), m_height(gradient.dx.rows),
-      m_least(gradient.continueAbove * gradient.continueAbove)
-  { }
+      : m_gradient(gradient), m_result(result), m_width(gradient.dx.cols), m_height(gradient.dx.rows),
+        m_least(gradient.continueAbove * gradient.continueAbove)
+  {
+  }
 
   // Walks from (x, y), excluded, along the edge; forward has the bright side on the left. Returns the pixel of an
   // earlier walk, or of its own, that it ran into.
@@ -96,7 +95,7 @@ public:
       y += stepY[best];
       std::uint8_t &mark = m_result.visited[index(x, y)];
       if (mark == walked) {
-        return EdgePixel {static_cast<short>(x), static_cast<short>(y)};
+        return EdgePixel{static_cast<short>(x), static_cast<short>(y)};
       }
       mark = walked;
       markBeside(x, y);
@@ -122,8 +121,7 @@ public:
   // No other chain starts on the two pixels beside an edge pixel, across the edge.
   void markBeside(int x, int y)
   {
-    const bool acrossIsHorizontal =
-        std::abs(m_gradient.dx.at<short>(y, x)) >= std::abs(m_gradient.dy.at<short>(y, x));
+    const bool acrossIsHorizontal = std::abs(m_gradient.dx.at<short>(y, x)) >= std::abs(m_gradient.dy.at<short>(y, x));
     for (int side = -1; side <= 1; side += 2) {
       const int bx = acrossIsHorizontal ? x + side : x;
       const int by = acrossIsHorizontal ? y : y + side;
@@ -140,8 +138,8 @@ private:
   static bool sameDirection(int ax, int ay, int bx, int by)
   {
     const double dot = static_cast<double>(ax) * bx + static_cast<double>(ay) * by;
-    const double squares =
-        (static_cast<double>(ax) * ax + static_cast<double>(ay) * ay) * (static_cast<double>(bx) * bx + static_cast<double>(by) * by);
+    const double squares = (static_cast<double>(ax) * ax + static_cast<double>(ay) * ay) *
+                           (static_cast<double>(bx) * bx + static_cast<double>(by) * by);
     return dot > 0. && dot * dot > leastSquaredCosine * squares;
   }
 
@@ -153,8 +151,7 @@ private:
 };
 } // namespace
 
-namespace
-{
+namespace {
 // A walk that ran into one of its own pixels has gone round a loop: index of the loop's first pixel, or the size.
 std::size_t loopStart(const std::vector<EdgePixel> &pixels, std::size_t begin, const std::optional<EdgePixel> &hit)
 {

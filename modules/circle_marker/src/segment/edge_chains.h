@@ -25,8 +25,7 @@
 #include "segment/gradient.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! A pixel of an edge. */
 struct EdgePixel
 {

@@ -24,10 +24,8 @@
 #include <opencv2/imgproc.hpp>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
-namespace
-{
+namespace circle_marker {
+namespace {
 // A component of the Sobel gradient sums 12 units of squared weight: its noise is sqrt(12) that of a pixel.
 constexpr double sobelNoiseGain = 3.464;
 // At 6 and 4 standard deviations a million pixels of pure noise start no chain and seldom prolong one.
@@ -44,7 +42,7 @@ constexpr int noiseSampling = 8;
 double estimateNoise(const cv::Mat &image)
 {
   constexpr int largest = 16 * 255; // of the absolute response: the weights' absolute values sum to 16
-  std::array<int, largest + 1> histogram {};
+  std::array<int, largest + 1> histogram{};
   int samples = 0;
   for (int y = 1; y < image.rows - 1; y += noiseSampling) {
     const unsigned char *above = image.ptr<unsigned char>(y - 1);

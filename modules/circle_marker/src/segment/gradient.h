@@ -24,8 +24,7 @@
 #include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*!
   Sobel gradient of an image (3 x 3, unnormalised: a step of s grey levels gives up to 4 s) and the magnitudes from
   which a pixel counts as an edge. The gradient points to the brighter side.

@@ -27,8 +27,7 @@
 #include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*!
   Grey level of an image between its pixel centres, by bilinear interpolation; nothing outside of the image
   (vpImage::getValue() takes the nearest pixel at the image's rim and is half as fast).

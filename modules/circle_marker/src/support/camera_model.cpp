@@ -23,8 +23,7 @@
 #include <visp3/core/vpPixelMeterConversion.h>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 Eigen::Vector2d CameraModel::toMeter(const Eigen::Vector2d &pixel) const
 {
   Eigen::Vector2d meter;

@@ -24,8 +24,7 @@
 #include <visp3/core/vpCameraParameters.h>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*!
   The camera models of ViSP, read from pixel to metre: vpMeterPixelConversion is not the exact inverse of
   vpPixelMeterConversion when the lens distorts (kud and kdu are calibrated apart), and measured pixels are what an
@@ -34,7 +33,7 @@ namespace circle_marker
 class CameraModel
 {
 public:
-  explicit CameraModel(const vpCameraParameters &camera) : m_camera(camera) { }
+  explicit CameraModel(const vpCameraParameters &camera) : m_camera(camera) {}
 
   /*! Normalised coordinates (z = 1) of a pixel. */
   Eigen::Vector2d toMeter(const Eigen::Vector2d &pixel) const;

@@ -17,6 +17,8 @@
 
 #include "support/detector_settings.h"
 
+#include <cmath>
+
 #include <visp3/core/vpException.h>
 
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
@@ -29,6 +31,16 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+void checkMarkerSize(double size)
+{
+  if (!(size > 0.) || !std::isfinite(size)) {
+    throw vpException(vpException::badValue,
+                      "vpDetectorCircleMarker: the marker size is %g; it is the outer diameter of the ring in metres "
+                      "and must be positive",
+                      size);
+  }
+}
+
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
 namespace {
 using Json = nlohmann::json;

@@ -25,8 +25,7 @@
 #include "decode/identify.h"
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*! All that a user can set. */
 struct DetectorSettings
 {
@@ -37,6 +36,9 @@ struct DetectorSettings
   bool zAlignedWithCameraAxis = false;        //!< Marker frame: z into the marker rather than toward the camera.
   unsigned int threads = 1;                   //!< Number of threads.
 };
+
+/*! Throws vpException::badValue unless a marker's size is positive and finite. */
+void checkMarkerSize(double size);
 
 /*!
   Reads settings from a JSON file; what it does not name stays as in \e settings.

@@ -24,8 +24,7 @@
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
 
 BEGIN_VISP_NAMESPACE
-namespace circle_marker
-{
+namespace circle_marker {
 /*!
   Cumulative distribution and density of the standard normal distribution from a table with cubic interpolation
   (Hermite: the derivative is known): error below 1e-10, ten times faster than std::erfc.
@@ -64,7 +63,8 @@ public:
     const double slopeA = a.density / perUnit;
     const double slopeB = b.density / perUnit;
     const double cumulative =
-        a.cumulative + t * (slopeA + t * (3. * difference - 2. * slopeA - slopeB + t * (slopeA + slopeB - 2. * difference)));
+        a.cumulative +
+        t * (slopeA + t * (3. * difference - 2. * slopeA - slopeB + t * (slopeA + slopeB - 2. * difference)));
     return {cumulative, a.density + t * (b.density - a.density)};
   }
 

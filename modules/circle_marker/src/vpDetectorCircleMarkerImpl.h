@@ -1,0 +1,76 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What a circular marker detector keeps: settings, working memory, results.
+ */
+
+#ifndef VP_DETECTOR_CIRCLE_MARKER_IMPL_H
+#define VP_DETECTOR_CIRCLE_MARKER_IMPL_H
+
+#include <optional>
+#include <vector>
+
+#include <visp3/circle_marker/vpDetectorCircleMarker.h>
+
+#include "decode/recognise.h"
+#include "ellipse/outlines.h"
+#include "refine/fit_pixels.h"
+#include "support/detector_settings.h"
+
+BEGIN_VISP_NAMESPACE
+
+class vpDetectorCircleMarker::Impl
+{
+public:
+  /*! What is kept of a detected marker, to measure it again with another camera or size. */
+  struct Found
+  {
+    vpCircleMarkerDetection detection;             //!< What the user sees.
+    circle_marker::Recognition marker;             //!< Family and code.
+    std::vector<circle_marker::EdgePoint> outline; //!< Edge points of its outer edge.
+    double contrast = 0.;                          //!< Step across the outline, grey levels.
+    double visible = 0.;                           //!< Share of the outline that was seen.
+    std::vector<vpImagePoint> polygon;             //!< Points along the outline.
+  };
+
+  void detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam, double deadline);
+
+  std::optional<vpCircleMarkerDetection> measureAgain(std::size_t index, double size, const vpCameraParameters &cam);
+
+  const Found &at(std::size_t index) const;
+
+  circle_marker::DetectorSettings settings;        //!< All that a user can set.
+  bool displayTag = false;                         //!< Whether detect() draws.
+  vpColor displayColor = vpColor::none;            //!< In which colour.
+  unsigned int displayThickness = 2;               //!< Pixels.
+  std::vector<Found> found;                        //!< Markers of the last image.
+  std::vector<vpCircleMarkerDetection> detections; //!< The same, as the user sees them.
+  vpImage<unsigned char> image;                    //!< The last image, for getPose().
+
+private:
+  std::optional<Found> examine(const circle_marker::EllipseCandidate &outline, double size,
+                               const circle_marker::CameraModel &camera,
+                               std::vector<circle_marker::FitPixel> &pixels) const;
+  std::vector<std::optional<Found>> examineAll(const std::vector<circle_marker::EllipseCandidate> &outlines,
+                                               double size, const circle_marker::CameraModel &camera,
+                                               double deadline) const;
+  bool isPartOfFound(const circle_marker::EllipseParameters &ellipse) const;
+
+  circle_marker::OutlineMemory m_outlines;       //!< Memory of the rooms up to the outlines.
+  std::vector<circle_marker::FitPixel> m_pixels; //!< Memory of the refinement.
+};
+
+END_VISP_NAMESPACE
+
+#endif
