@@ -102,7 +102,7 @@ vpDetectorCircleMarker::Impl::examine(const EllipseCandidate &outline, double si
     return std::nullopt;
   }
   for (const vpCircleMarkerFamily &family : settings.families) {
-    auto marker = recognise(image, camera, *poses, outline.contrast, family, settings.decode);
+    auto marker = recognise(image, camera, *poses, outline, family, settings.decode);
     if (!marker) {
       continue;
     }
@@ -111,12 +111,8 @@ vpDetectorCircleMarker::Impl::examine(const EllipseCandidate &outline, double si
       scaleTo(known->second, marker->poses);
     }
     if (const auto measurement = measure(image, camera, *marker, settings.refinePose, pixels)) {
-      return Found{reportOf(*marker, *measurement, camera, outline.support, settings.zAlignedWithCameraAxis),
-                   *marker,
-                   outline.points,
-                   outline.contrast,
-                   outline.support,
-                   outlineOf(measurement->first.plane, camera, polygonPoints)};
+      return Found{reportOf(*marker, *measurement, camera, outline.support, settings.zAlignedWithCameraAxis), *marker,
+                   outline, outlineOf(measurement->first.plane, camera, polygonPoints)};
     }
   }
   return std::nullopt;
@@ -151,11 +147,11 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
 {
   const CameraModel camera(cam);
   const Found &known = at(index);
-  const auto poses = posesFromOutline(known.outline, camera, 0.5 * size);
+  const auto poses = posesFromOutline(known.outline.points, camera, 0.5 * size);
   if (!poses) {
     return std::nullopt;
   }
-  const auto marker = recognise(image, camera, *poses, known.contrast, known.marker.family, settings.decode);
+  const auto marker = recognise(image, camera, *poses, known.outline, known.marker.family, settings.decode);
   if (!marker || marker->code.id != known.marker.code.id) {
     return std::nullopt;
   }
@@ -163,7 +159,7 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   if (!measurement) {
     return std::nullopt;
   }
-  return reportOf(*marker, *measurement, camera, known.visible, settings.zAlignedWithCameraAxis);
+  return reportOf(*marker, *measurement, camera, known.outline.support, settings.zAlignedWithCameraAxis);
 }
 
 /*! Whether an outline is a piece of a marker that is known already: its code, or its ring again. */
@@ -176,7 +172,8 @@ bool vpDetectorCircleMarker::Impl::isPartOfFound(const EllipseParameters &ellips
     // Affine image of the ring as the unit circle: distance of the centres, and the larger reach of the outline.
     const double distance = Eigen::Vector2d(offset.x() / outer.a, offset.y() / outer.b).norm();
     const double reach = distance + ellipse.a / outer.a;
-    if (distance < 1. && reach > whiteCenter) {
+    const double room = known.marker.family.getType() == vpCircleMarkerFamily::DISC ? 0. : whiteCenter;
+    if (distance < 1. && reach > room) {
       return true;
     }
   }

@@ -36,12 +36,10 @@ public:
   /*! What is kept of a detected marker, to measure it again with another camera or size. */
   struct Found
   {
-    vpCircleMarkerDetection detection;             //!< What the user sees.
-    circle_marker::Recognition marker;             //!< Family and code.
-    std::vector<circle_marker::EdgePoint> outline; //!< Edge points of its outer edge.
-    double contrast = 0.;                          //!< Step across the outline, grey levels.
-    double visible = 0.;                           //!< Share of the outline that was seen.
-    std::vector<vpImagePoint> polygon;             //!< Points along the outline.
+    vpCircleMarkerDetection detection;       //!< What the user sees.
+    circle_marker::Recognition marker;       //!< Family and code.
+    circle_marker::EllipseCandidate outline; //!< Its outer edge, as found.
+    std::vector<vpImagePoint> polygon;       //!< Points along the outline.
   };
 
   void detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam, double deadline);

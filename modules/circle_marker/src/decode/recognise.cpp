@@ -27,6 +27,10 @@ namespace circle_marker {
 namespace {
 // The radial profile of a blurred thin ring keeps this share of the step across the outline.
 constexpr double shareOfContrast = 0.3;
+// A code cannot be read on a smaller semi-minor axis, pixels: its track would be less than a pixel wide there.
+constexpr double leastCodeSemiMinor = 3.;
+// Share of the outline that must be seen where no code proves the marker.
+constexpr double leastSupport = 0.75;
 // A ring whose measured inner radius is this near to the family's own is taken for one of that family's ratio: by the
 // steps of the profile, and by the blur of its inner edge in pixels, which matters on small rings.
 constexpr double sameRatio = 0.03;
@@ -37,20 +41,6 @@ void copySpin(const MarkerPlane &from, MarkerPlane &to)
 {
   const Eigen::Vector2d onTo = to.intersect(from.project(Eigen::Vector2d(1., 0.)));
   to.spin(std::atan2(onTo.y(), onTo.x()));
-}
-
-// Least distance from the image of the marker's centre to that of its outer edge, pixels.
-double semiMinor(const CameraModel &camera, const MarkerPlane &plane)
-{
-  constexpr int directions = 16;
-  const Eigen::Vector2d center = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
-  double least = HUGE_VAL;
-  for (int i = 0; i < directions; ++i) {
-    const double angle = 2. * M_PI * i / directions;
-    const Eigen::Vector2d edge = camera.toPixel(plane.project(Eigen::Vector2d(std::cos(angle), std::sin(angle))));
-    least = std::min(least, (edge - center).norm());
-  }
-  return least;
 }
 
 std::optional<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraModel &camera,
@@ -84,13 +74,17 @@ std::optional<Recognition> recogniseCode(const vpImage<unsigned char> &I, const 
 }
 
 std::optional<Recognition> recogniseShape(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                          const PosePair &poses, double contrast, const vpCircleMarkerFamily &family)
+                                          const PosePair &poses, const EllipseCandidate &outline,
+                                          const vpCircleMarkerFamily &family)
 {
+  if (outline.support < leastSupport) {
+    return std::nullopt;
+  }
   const auto profile = radialProfile(I, camera, poses[0]);
   if (!profile) {
     return std::nullopt;
   }
-  const auto inner = innerRadius(*profile, shareOfContrast * contrast);
+  const auto inner = innerRadius(*profile, shareOfContrast * outline.contrast);
   const bool isDisc = inner && *inner == 0.;
   if (!inner || isDisc != (family.getType() == vpCircleMarkerFamily::DISC)) {
     return std::nullopt;
@@ -99,7 +93,7 @@ std::optional<Recognition> recogniseShape(const vpImage<unsigned char> &I, const
   result.family = family;
   result.code.margin = 1.;
   const double nominal = family.getLayout().ringInner;
-  const double slack = sameRatio + sameRatioPixels / semiMinor(camera, poses[0]);
+  const double slack = sameRatio + sameRatioPixels / outline.ellipse.b;
   result.ringInner = std::abs(*inner - nominal) < slack ? nominal : *inner;
   result.poses = poses;
   return result;
@@ -107,11 +101,13 @@ std::optional<Recognition> recogniseShape(const vpImage<unsigned char> &I, const
 } // namespace
 
 std::optional<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
-                                     double contrast, const vpCircleMarkerFamily &family,
+                                     const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
                                      const DecodeSettings &settings)
 {
-  return family.isCoded() ? recogniseCode(I, camera, poses, family, settings)
-                          : recogniseShape(I, camera, poses, contrast, family);
+  if (!family.isCoded()) {
+    return recogniseShape(I, camera, poses, outline, family);
+  }
+  return outline.ellipse.b < leastCodeSemiMinor ? std::nullopt : recogniseCode(I, camera, poses, family, settings);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

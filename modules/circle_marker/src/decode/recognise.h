@@ -21,6 +21,7 @@
 #include <optional>
 
 #include "decode/identify.h"
+#include "ellipse/ellipse_candidates.h"
 #include "pose/hypotheses.h"
 
 BEGIN_VISP_NAMESPACE
@@ -39,12 +40,12 @@ struct Recognition
   \param I : The image.
   \param camera : Its camera.
   \param poses : Both poses of the outline.
-  \param contrast : Step across the outline, grey levels.
+  \param outline : The outline.
   \param family : The family.
   \param settings : How strictly a code is read.
 */
 std::optional<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
-                                     double contrast, const vpCircleMarkerFamily &family,
+                                     const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
                                      const DecodeSettings &settings);
 } // namespace circle_marker
 END_VISP_NAMESPACE
