@@ -160,15 +160,15 @@ public:
   {
   }
 
-  // Tries a run of edge points as one outline.
-  EllipseReject tryPoints(const EdgePoint *points, std::size_t count)
+  // Tries a run of edge points as one outline; a whole outline may have caught a piece of something else.
+  EllipseReject tryPoints(const EdgePoint *points, std::size_t count, bool isWhole)
   {
     auto candidate = fitPoints(points, count, m_buffer);
     if (!candidate || candidate->ellipse.a > m_image.getWidth() + m_image.getHeight()) {
       return EllipseReject::NOT_AN_ELLIPSE;
     }
     if (rootMeanSquareDistance(*candidate, points, count) > tolerance(candidate->ellipse)) {
-      candidate = fitMost(*candidate, points, count);
+      candidate = isWhole ? fitMost(*candidate, points, count) : std::nullopt;
       if (!candidate) {
         return EllipseReject::BAD_FIT;
       }
@@ -295,7 +295,7 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
     if (points.size() < 8 || doubledArea(points) <= 0.) {
       continue;
     }
-    if (finder.tryPoints(points.data(), points.size()) != EllipseReject::NONE) {
+    if (finder.tryPoints(points.data(), points.size(), true) != EllipseReject::NONE) {
       open.push_back(&chain);
     }
   }
@@ -305,7 +305,7 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
     cutConvexArcs(points, arcs);
     for (const auto &[begin, end] : arcs) {
       if (!finder.isKnown(points.data() + begin, end - begin)) {
-        finder.tryPoints(points.data() + begin, end - begin);
+        finder.tryPoints(points.data() + begin, end - begin, false);
       }
     }
   }
