@@ -101,16 +101,19 @@ macro(vp_create_module)
   install(FILES ${VISP_INCLUDE_DIR}/visp3/${the_module}.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/visp3)
 endmacro()
 
-# vp_add_tests(DEPENDS_ON <target>...): every test/**/*.cpp is a program and a test.
+# vp_add_tests(DEPENDS_ON <target>... [SOURCES_EXCLUDE <file in test/>...]): every test/**/*.cpp that is not excluded is a
+# program and a test.
 macro(vp_add_tests)
-  set(__test_libraries ${ARGN})
-  list(REMOVE_ITEM __test_libraries DEPENDS_ON)
+  cmake_parse_arguments(__test "" "" "DEPENDS_ON;SOURCES_EXCLUDE" ${ARGN})
   if(BUILD_TESTS)
     file(GLOB_RECURSE __tests CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/test/*.cpp)
-    foreach(__test ${__tests})
-      get_filename_component(__target ${__test} NAME_WE)
-      add_executable(${__target} ${__test})
-      target_link_libraries(${__target} ${the_module} ${__test_libraries})
+    foreach(__source ${__test_SOURCES_EXCLUDE})
+      list(REMOVE_ITEM __tests ${CMAKE_CURRENT_LIST_DIR}/test/${__source})
+    endforeach()
+    foreach(__source ${__tests})
+      get_filename_component(__target ${__source} NAME_WE)
+      add_executable(${__target} ${__source})
+      target_link_libraries(${__target} ${the_module} ${__test_DEPENDS_ON})
       # ViSP runs every test so: without clicks (-c), without display (-d).
       add_test(NAME ${__target} COMMAND ${__target} -c -d)
     endforeach()
