@@ -39,6 +39,8 @@ constexpr double regularisation = 0.0025;
 // The white centre is brighter than the ring by this share of the contrast at least: a ring of 17 pixels at 60 degrees
 // keeps nine tenths after the blur, while a dark blob taken for a marker is darkest there.
 constexpr double leastCenter = 0.2;
+// Where in the quiet zone white is read: past the blur of the ring, short of the surround.
+constexpr double whiteOfQuietZone = 0.6;
 // Least contrast of the ring, grey levels.
 constexpr double leastContrast = 6.;
 
@@ -59,6 +61,29 @@ std::optional<double> sampleAt(const vpImage<unsigned char> &I, const CameraMode
   return bilinear(I, camera.toPixel(plane.project(Eigen::Vector2d(radius * c, radius * s))));
 }
 
+// Whether a few samples agree with a black ring between white and white: what most outlines in clutter fail.
+bool hasRing(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+             const vpCircleMarkerLayout &layout)
+{
+  constexpr int directions = 16;
+  double white = 0.;
+  double black = 0.;
+  for (int i = 0; i < directions; ++i) {
+    const double angle = 2. * M_PI * i / directions;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const auto outside = sampleAt(I, camera, plane, 1. + whiteOfQuietZone * layout.quietZone, c, s);
+    const auto ring = sampleAt(I, camera, plane, 0.5 * (1. + layout.ringInner), c, s);
+    if (!outside || !ring) {
+      return false;
+    }
+    white += *outside / directions;
+    black += *ring / directions;
+  }
+  const auto center = bilinear(I, camera.toPixel(plane.project(Eigen::Vector2d::Zero())));
+  return white - black >= leastContrast && center && *center - black >= leastCenter * (white - black);
+}
+
 std::optional<Track> sampleTrack(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
                                  const vpCircleMarkerFamily &family)
 {
@@ -67,7 +92,7 @@ std::optional<Track> sampleTrack(const vpImage<unsigned char> &I, const CameraMo
   // The middle half of the track: its rims are blurred into the white beside.
   const double radii[3] = {layout.codeInner + 0.3 * width, layout.codeInner + 0.5 * width,
                            layout.codeInner + 0.7 * width};
-  const double whiteRadius = 1. + 0.6 * layout.quietZone;
+  const double whiteRadius = 1. + whiteOfQuietZone * layout.quietZone;
   const double blackRadius = 0.5 * (1. + layout.ringInner);
   Track track;
   track.samples = samplesPerSector * family.getNbSectors();
@@ -111,8 +136,7 @@ std::optional<Track> sampleTrack(const vpImage<unsigned char> &I, const CameraMo
   whiteCos /= n * whiteRadius;
   whiteSin /= n * whiteRadius;
   black /= n;
-  const auto center = bilinear(I, camera.toPixel(plane.project(Eigen::Vector2d::Zero())));
-  if (white - black < leastContrast || !center || *center - black < leastCenter * (white - black)) {
+  if (white - black < leastContrast) {
     return std::nullopt;
   }
   for (unsigned int i = 0; i < track.samples; ++i) {
@@ -211,6 +235,9 @@ std::pair<double, double> splitInTwo(const SectorVector &greys)
 std::optional<SectorReading> readSectors(const vpImage<unsigned char> &I, const CameraModel &camera,
                                          const MarkerPlane &plane, const vpCircleMarkerFamily &family)
 {
+  if (!hasRing(I, camera, plane, family.getLayout())) {
+    return std::nullopt;
+  }
   const auto track = sampleTrack(I, camera, plane, family);
   if (!track) {
     return std::nullopt;

@@ -35,12 +35,12 @@ constexpr double leastAxisRatio = 0.08;
 constexpr double fitTolerance = 0.4;
 constexpr double fitToleranceOfSize = 0.006;
 // Of longer chains only every second, third... point is fitted: more do not make a better start.
-constexpr std::size_t mostFitPoints = 200;
+constexpr std::size_t mostFitPoints = 100;
 // Share of the outline along which an edge must be found.
 constexpr double leastSupport = 0.5;
-// Points along a completed outline: one a pixel, no more than 256 (enough to start the refinement from).
+// Points along a completed outline: one a pixel, no more than 128 (enough to start the refinement from).
 constexpr int fewestSamples = 24;
-constexpr int mostSamples = 256;
+constexpr int mostSamples = 128;
 // Share of an outline's points that is kept when it does not fit as a whole, and how often the choice is made again.
 constexpr double trimmedShare = 0.75;
 constexpr int trimmingPasses = 4;
