@@ -42,6 +42,16 @@ constexpr double unitSize = 1.;
 // Inside a marker there is room for another one in its white centre only, of this radius in units of the ring's.
 constexpr double whiteCenter = 0.4;
 
+void checkImageSize(const vpImage<unsigned char> &I)
+{
+  constexpr unsigned int leastSide = 16; // pixels
+  if (I.getWidth() < leastSide || I.getHeight() < leastSide) {
+    throw vpException(vpException::dimensionError,
+                      "vpDetectorCircleMarker: the image is %u x %u pixels; at least %u x %u are needed", I.getWidth(),
+                      I.getHeight(), leastSide, leastSide);
+  }
+}
+
 // A camera that is good enough to read codes with: ordinary lenses have a focal length of about the image's width.
 vpCameraParameters nominalCamera(const vpImage<unsigned char> &I)
 {
@@ -234,6 +244,7 @@ vpDetectorCircleMarker::~vpDetectorCircleMarker() = default;
 */
 bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I)
 {
+  checkImageSize(I);
   std::vector<vpHomogeneousMatrix> poses;
   return detect(I, unitSize, nominalCamera(I), poses);
 }
@@ -258,12 +269,7 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size
                                     std::vector<double> *projErrors2)
 {
   circle_marker::checkMarkerSize(size);
-  constexpr unsigned int leastSide = 16; // pixels
-  if (I.getWidth() < leastSide || I.getHeight() < leastSide) {
-    throw vpException(vpException::dimensionError,
-                      "vpDetectorCircleMarker: the image is %u x %u pixels; at least %u x %u are needed", I.getWidth(),
-                      I.getHeight(), leastSide, leastSide);
-  }
+  checkImageSize(I);
   const double deadline = m_timeout_ms > 0 ? vpTime::measureTimeMs() + static_cast<double>(m_timeout_ms) : HUGE_VAL;
   m_impl->detect(I, size, cam, deadline);
   const auto fill = [this](auto *output, auto value) {

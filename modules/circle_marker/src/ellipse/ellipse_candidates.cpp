@@ -43,7 +43,7 @@ constexpr int fewestSamples = 24;
 constexpr int mostSamples = 128;
 // Share of an outline's points that is kept when it does not fit as a whole, and how often the choice is made again.
 constexpr double trimmedShare = 0.75;
-constexpr int trimmingPasses = 4;
+constexpr int trimmingPasses = 10;
 // Two ellipses are one outline if centres and axes agree to this share of the minor semi-axis (and a pixel).
 constexpr double sameOutline = 0.1;
 

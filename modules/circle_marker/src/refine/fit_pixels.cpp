@@ -30,7 +30,7 @@ constexpr double bandOfBlur = 3.2;
 // A pixel that may see more than this share of what lies beyond the quiet zone is not used.
 constexpr double mostSurround = 0.3;
 // Of the flat areas, one pixel in 16 is enough to know their level.
-constexpr unsigned int flatStride = 4;
+constexpr int flatStride = 4;
 
 struct Box
 {
@@ -92,12 +92,14 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   const Eigen::Vector2d center = camera.toPixel(planes[0].project(Eigen::Vector2d::Zero()));
   const double size = 0.25 * (box.right - box.left + box.bottom - box.top) / outermost;
   const double expected = 2. * band * edgeLength(pattern, size);
-  // A lattice of one pixel in `keep` that has no direction in common with rows and columns.
+  // A lattice of one pixel in `keep`, slanted by the golden section so that it has no short period along any edge; the
+  // edges of a marker that is thinned know white and black well enough without its flat areas.
   const int keep = std::max(1, static_cast<int>(std::ceil(expected / most)));
+  const int slant = static_cast<int>(std::lround(0.382 * keep));
   for (int v = box.top; v <= box.bottom; ++v) {
     for (int u = box.left; u <= box.right; ++u) {
-      const bool flatSample = u % static_cast<int>(flatStride) == 0 && v % static_cast<int>(flatStride) == 0;
-      if ((u + 5 * v) % keep != 0 && !(flatSample && keep < 4)) {
+      const bool flatSample = keep < flatStride && u % flatStride == 0 && v % flatStride == 0;
+      if ((u + slant * v) % keep != 0 && !flatSample) {
         continue;
       }
       FitPixel pixel;

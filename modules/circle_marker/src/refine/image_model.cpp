@@ -202,13 +202,32 @@ Sum seeSectors(const PlanePoint &point, const MarkerPattern &pattern, const Blur
   return sum;
 }
 
-// Probability of both sides of two edges less the product of the probabilities.
+// Probability of both sides of two edges less the product of the probabilities: the tetrachoric series, whose n-th term
+// is rho^(n+1) / (n+1)! He_n(a) He_n(b) with the Hermite polynomials He_n.
 double cornerExcess(const SeenEdge &p, const SeenEdge &q)
 {
-  const double a = p.standardised;
-  const double b = q.standardised;
+  // At a tilt of 70 degrees rho reaches 0.8; eight terms leave 0.1 % of the contrast there.
+  constexpr int terms = 8;
+  const double density = p.density * q.density;
+  if (density == 0.) {
+    return 0.;
+  }
   const double rho = p.direction.dot(q.direction);
-  return p.density * q.density * rho * (1. + 0.5 * rho * a * b + rho * rho * (a * a - 1.) * (b * b - 1.) / 6.);
+  double power = rho;
+  double sum = 0.;
+  double hermiteA[2] = {1., 0.}; // He_n and He_(n-1) at a
+  double hermiteB[2] = {1., 0.};
+  for (int n = 0; n < terms; ++n) {
+    sum += power * hermiteA[0] * hermiteB[0];
+    power *= rho / (n + 2);
+    const double nextA = p.standardised * hermiteA[0] - n * hermiteA[1];
+    const double nextB = q.standardised * hermiteB[0] - n * hermiteB[1];
+    hermiteA[1] = hermiteA[0];
+    hermiteB[1] = hermiteB[0];
+    hermiteA[0] = nextA;
+    hermiteB[0] = nextB;
+  }
+  return density * sum;
 }
 } // namespace
 
@@ -270,10 +289,12 @@ PatternDistance distanceToPattern(const ModelPixel &pixel, const MarkerPlane &pl
   if (polar.radius < pattern.track[0].radius && polar.radius > pattern.track[1].radius) {
     const double sectorAngle = 2. * M_PI / pattern.sectors;
     const int nearest = static_cast<int>(std::lround(std::atan2(point.q.y(), point.q.x()) / sectorAngle));
-    if (pattern.isBlack(nearest) != pattern.isBlack(nearest - 1)) {
-      const Eigen::Vector2d &across = pattern.acrossBorder(nearest);
-      distance.toEdges =
-          std::min(distance.toEdges, std::abs(across.dot(point.q)) / (point.byPixel.transpose() * across).norm());
+    for (int border = nearest - 1; border <= nearest + 1; ++border) {
+      if (pattern.isBlack(border) != pattern.isBlack(border - 1)) {
+        const Eigen::Vector2d &across = pattern.acrossBorder(border);
+        distance.toEdges =
+            std::min(distance.toEdges, std::abs(across.dot(point.q)) / (point.byPixel.transpose() * across).norm());
+      }
     }
   }
   return distance;

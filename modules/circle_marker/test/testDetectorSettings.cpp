@@ -1,0 +1,223 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Settings in JSON files: what is written is read, what is wrong is named.
+ */
+
+#include "testRoomTools.h"
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+#include <visp3/core/vpException.h>
+
+#include "support/detector_settings.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+#ifdef VISP_CIRCLE_MARKER_HAVE_JSON
+namespace {
+//! A file of the running test that is removed at the end.
+class TestFile
+{
+public:
+  TestFile()
+      : m_name(std::string("testDetectorSettings-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
+               ".json")
+  {
+  }
+  ~TestFile() { std::remove(m_name.c_str()); }
+
+  void write(const std::string &text) const { std::ofstream(m_name) << text; }
+  std::string text() const
+  {
+    std::stringstream stream;
+    stream << std::ifstream(m_name).rdbuf();
+    return stream.str();
+  }
+  const std::string &name() const { return m_name; }
+
+private:
+  std::string m_name;
+};
+
+DetectorSettings defaults()
+{
+  DetectorSettings settings;
+  settings.families = {vpCircleMarkerFamily::GOLAY23};
+  return settings;
+}
+
+//! The message with which reading a text fails, or "".
+std::string complaintAbout(const std::string &text)
+{
+  TestFile file;
+  file.write(text);
+  try {
+    readSettings(file.name(), defaults());
+  }
+  catch (const vpException &error) {
+    EXPECT_EQ(error.getCode(), vpException::badValue);
+    return error.what();
+  }
+  return "";
+}
+} // namespace
+
+TEST(DetectorSettings, WrittenAndReadAgain)
+{
+  DetectorSettings settings;
+  settings.families = {vpCircleMarkerFamily::BCH31, vpCircleMarkerFamily::DISC};
+  settings.sizes = {{3, 0.125}, {2113, 0.04}};
+  settings.decode.maximumHamming = 1;
+  settings.decode.minimumMargin = 0.72;
+  settings.refinePose = false;
+  settings.zAlignedWithCameraAxis = true;
+  settings.threads = 3;
+  TestFile file;
+  writeSettings(file.name(), settings);
+  const DetectorSettings read = readSettings(file.name(), defaults());
+  ASSERT_EQ(read.families.size(), 2u);
+  EXPECT_EQ(read.families[0].getType(), vpCircleMarkerFamily::BCH31);
+  EXPECT_EQ(read.families[1].getType(), vpCircleMarkerFamily::DISC);
+  EXPECT_EQ(read.sizes, settings.sizes);
+  EXPECT_EQ(read.decode.maximumHamming, 1u);
+  EXPECT_EQ(read.decode.minimumMargin, 0.72);
+  EXPECT_FALSE(read.refinePose);
+  EXPECT_TRUE(read.zAlignedWithCameraAxis);
+  EXPECT_EQ(read.threads, 3u);
+}
+
+TEST(DetectorSettings, TheRatioOfARingIsKept)
+{
+  DetectorSettings settings = defaults();
+  settings.families = {vpCircleMarkerFamily::ring(0.65)};
+  TestFile file;
+  writeSettings(file.name(), settings);
+  const DetectorSettings read = readSettings(file.name(), defaults());
+  ASSERT_EQ(read.families.size(), 1u);
+  EXPECT_EQ(read.families[0].getType(), vpCircleMarkerFamily::RING);
+  EXPECT_DOUBLE_EQ(read.families[0].getLayout().ringInner, 0.65);
+}
+
+TEST(DetectorSettings, WhatIsNotNamedStays)
+{
+  TestFile file;
+  file.write("{\"minimumMargin\": 0.5}");
+  DetectorSettings before = defaults();
+  before.sizes = {{4, 0.3}};
+  before.threads = 2;
+  before.refinePose = false;
+  const DetectorSettings read = readSettings(file.name(), before);
+  EXPECT_EQ(read.decode.minimumMargin, 0.5);
+  EXPECT_EQ(read.sizes, before.sizes);
+  EXPECT_EQ(read.threads, 2u);
+  EXPECT_FALSE(read.refinePose);
+  EXPECT_EQ(read.families[0].getType(), vpCircleMarkerFamily::GOLAY23);
+}
+
+TEST(DetectorSettings, UnknownKeysAreNamed)
+{
+  const std::string complaint = complaintAbout("{\"minimumMargin\": 0.5, \"minimunMargin\": 0.5}");
+  EXPECT_NE(complaint.find("minimunMargin"), std::string::npos) << complaint;
+  EXPECT_NE(complaint.find("maximumHammingDistance"), std::string::npos)
+      << "does not list the known keys: " << complaint;
+  EXPECT_NE(complaint.find(".json"), std::string::npos) << "does not name the file: " << complaint;
+}
+
+TEST(DetectorSettings, WrongContentsAreRefused)
+{
+  for (const char *text : {"",
+                           "{",
+                           "not json",
+                           "[1, 2]",
+                           "3",
+                           "\"families\"",
+                           "null",
+                           "{\"families\": 3}",
+                           "{\"families\": [\"golay24\"]}",
+                           "{\"sizes\": {\"three\": 0.1}}",
+                           "{\"sizes\": {\"3\": \"large\"}}",
+                           "{\"sizes\": [0.1, 0.2]}",
+                           "{\"sizes\": {\"3x\": 0.1}}",
+                           "{\"sizes\": {\"3\": -0.1}}",
+                           "{\"families\": []}",
+                           "{\"threads\": 0}",
+                           "{\"minimumMargin\": 1.01}",
+                           "{\"minimumMargin\": -0.01}",
+                           "{\"families\": [{\"name\": \"disc\", \"ratio\": 0.5}]}",
+                           "{\"families\": [{\"name\": \"ring\"}]}",
+                           "{\"families\": [{\"name\": \"ring\", \"ratio\": 1.5}]}",
+                           "{\"threads\": -1}",
+                           "{\"threads\": 1.5}",
+                           "{\"maximumHammingDistance\": -1}",
+                           "{\"maximumHammingDistance\": \"2\"}",
+                           "{\"minimumMargin\": \"high\"}",
+                           "{\"refinePose\": 1}",
+                           "{\"zAlignedWithCameraAxis\": \"yes\"}"}) {
+    EXPECT_NE(complaintAbout(text), "") << text;
+  }
+  EXPECT_EQ(complaintAbout("{}"), "");
+}
+
+TEST(DetectorSettings, UnknownFamiliesAreNamed)
+{
+  const std::string complaint = complaintAbout("{\"families\": [\"ring\", \"golay24\"]}");
+  EXPECT_NE(complaint.find("golay24"), std::string::npos) << complaint;
+  EXPECT_NE(complaint.find("golay23"), std::string::npos) << "does not say what exists: " << complaint;
+}
+
+TEST(DetectorSettings, FilesThatCannotBeUsed)
+{
+  try {
+    readSettings("no-such-folder/settings.json", defaults());
+    FAIL() << "read a file that is not there";
+  }
+  catch (const vpException &error) {
+    EXPECT_EQ(error.getCode(), vpException::ioError);
+    EXPECT_NE(std::string(error.what()).find("no-such-folder/settings.json"), std::string::npos);
+  }
+  try {
+    writeSettings("no-such-folder/settings.json", defaults());
+    FAIL() << "wrote into a folder that is not there";
+  }
+  catch (const vpException &error) {
+    EXPECT_EQ(error.getCode(), vpException::ioError);
+  }
+}
+
+TEST(DetectorSettings, NothingIsLeftBesideTheFile)
+{
+  TestFile file;
+  file.write("old");
+  writeSettings(file.name(), defaults());
+  EXPECT_NE(file.text().find("golay23"), std::string::npos);
+  EXPECT_EQ(file.text().find("old"), std::string::npos);
+  EXPECT_FALSE(std::ifstream(file.name() + ".tmp").good());
+}
+#else
+TEST(DetectorSettings, WithoutTheLibraryTheUserIsTold)
+{
+  try {
+    writeSettings("settings.json", DetectorSettings());
+    FAIL();
+  }
+  catch (const vpException &error) {
+    EXPECT_EQ(error.getCode(), vpException::functionNotImplementedError);
+    EXPECT_NE(std::string(error.what()).find("nlohmann"), std::string::npos);
+  }
+}
+#endif

@@ -1,0 +1,211 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The choice of the pixels that a pose is fitted to.
+ */
+
+#include "testRoomTools.h"
+
+#include <set>
+
+#include "refine/fit_pixels.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr unsigned int side = 150;
+constexpr double commonBlur = 0.8; // pixels
+
+std::vector<FitPixel> select(const vpImage<unsigned char> &I, const MarkerScene &scene, int id)
+{
+  std::vector<FitPixel> pixels(5); // left over from before
+  const MarkerPlane plane = scene.plane();
+  selectPixels(I, CameraModel(scene.camera()), &plane, 1,
+               patternOf(scene.family, id, scene.family.getLayout().ringInner), commonBlur,
+               scene.family.getLayout().quietZone, 3000., pixels);
+  return pixels;
+}
+
+Eigen::Vector2d pixelOf(const FitPixel &pixel, const MarkerScene &scene)
+{
+  return scene.focal * pixel.model.meter + scene.principal;
+}
+
+//! An image whose grey levels tell where they come from.
+vpImage<unsigned char> numbered(unsigned int width, unsigned int height)
+{
+  vpImage<unsigned char> I(height, width);
+  for (unsigned int v = 0; v < height; ++v) {
+    for (unsigned int u = 0; u < width; ++u) {
+      I[v][u] = static_cast<unsigned char>((7 * u + 31 * v) % 256);
+    }
+  }
+  return I;
+}
+} // namespace
+
+TEST(FitPixels, EveryPixelNearAnEdgeOnce)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const vpImage<unsigned char> I = numbered(side, side);
+  for (int i = 0; i < 10; ++i) {
+    // Small enough not to be thinned.
+    const MarkerScene scene =
+        markerScene(random, family, 11, uniform(random, 20., 45.), uniform(random, 0., 0.8), side);
+    const MarkerPattern pattern = patternOf(family, 11, 0.8);
+    const CameraModel camera(scene.camera());
+    std::set<std::pair<int, int>> chosen;
+    for (const FitPixel &pixel : select(I, scene, 11)) {
+      const Eigen::Vector2d where = pixelOf(pixel, scene);
+      const int u = static_cast<int>(std::lround(where.x()));
+      const int v = static_cast<int>(std::lround(where.y()));
+      EXPECT_LT((where - Eigen::Vector2d(u, v)).norm(), 1e-6);
+      EXPECT_EQ(pixel.grey, I[static_cast<unsigned int>(v)][u]);
+      EXPECT_TRUE(chosen.insert({u, v}).second);
+      // On the print, or on its quiet zone.
+      EXPECT_LT(scene.onMarker(u, v).norm(), 1. + family.getLayout().quietZone);
+    }
+    for (unsigned int v = 0; v < side; ++v) {
+      for (unsigned int u = 0; u < side; ++u) {
+        const Eigen::Vector2d where(u, v);
+        const ModelPixel pixel = {camera.toMeter(where), camera.meterPerPixel(where)};
+        if (distanceToPattern(pixel, scene.plane(), pattern).toEdges < 1.5 && scene.onMarker(u, v).norm() < 1.05) {
+          EXPECT_EQ(chosen.count({u, v}), 1u) << u << ", " << v;
+        }
+      }
+    }
+  }
+}
+
+TEST(FitPixels, SurroundIsWhatMayBeSeenBeyondTheQuietZone)
+{
+  // Frontal: the share of a blurred pixel beyond a circle is that beyond its tangent, but for its curvature.
+  Random random = randomOfTest();
+  const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 30., 0., side);
+  const double quietZone = scene.family.getLayout().quietZone;
+  const double radiusPerPixel = scene.center.z() / (scene.focal * scene.radius);
+  int seeing = 0;
+  for (const FitPixel &pixel : select(numbered(side, side), scene, -1)) {
+    const Eigen::Vector2d where = pixelOf(pixel, scene);
+    const double inside = (1. + quietZone - scene.onMarker(where.x(), where.y()).norm()) / radiusPerPixel;
+    EXPECT_NEAR(pixel.surround, 0.5 * std::erfc(inside / commonBlur * M_SQRT1_2), 0.02) << inside << " pixels inside";
+    EXPECT_LT(pixel.surround, 0.5);
+    seeing += pixel.surround > 0.05;
+  }
+  EXPECT_GT(seeing, 20);
+}
+
+TEST(FitPixels, OffsetsAreFromTheCentreInUnitsOfItsImage)
+{
+  Random random = randomOfTest();
+  const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., 0., side);
+  const auto pixels = select(numbered(side, side), scene, -1);
+  ASSERT_GT(pixels.size(), 100u);
+  const Eigen::Vector2d center = scene.principal + scene.focal * scene.center.head<2>() / scene.center.z();
+  for (const FitPixel &pixel : pixels) {
+    const Eigen::Vector2d offset = pixel.offset * 30.;
+    EXPECT_LT((offset - (pixelOf(pixel, scene) - center)).norm(), 0.15 * 30.);
+    EXPECT_LT(pixel.offset.norm(), 1.5);
+  }
+}
+
+TEST(FitPixels, InsideAPlainRingNothingIsUsed)
+{
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::RING, vpCircleMarkerFamily::DISC}) {
+    const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(type), -1, 60., 0.3, side);
+    const auto pixels = select(numbered(side, side), scene, -1);
+    ASSERT_GT(pixels.size(), 100u);
+    for (const FitPixel &pixel : pixels) {
+      const Eigen::Vector2d where = pixelOf(pixel, scene);
+      EXPECT_GT(scene.onMarker(where.x(), where.y()).norm(), 0.6);
+    }
+  }
+}
+
+TEST(FitPixels, LargeMarkersAreThinnedEvenly)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const vpImage<unsigned char> I = numbered(1000, 1000);
+  for (const double diameter : {150., 300., 500., 700.}) {
+    const MarkerScene scene = markerScene(random, family, 3, diameter, 0.4, 1000);
+    const auto pixels = select(I, scene, 3);
+    EXPECT_GT(pixels.size(), 1000u) << diameter;
+    EXPECT_LT(pixels.size(), 6000u) << diameter;
+    std::array<int, 8> octants{};
+    for (const FitPixel &pixel : pixels) {
+      const Eigen::Vector2d where = pixelOf(pixel, scene);
+      const Eigen::Vector2d q = scene.onMarker(where.x(), where.y());
+      if (q.norm() > 0.75) { // the ring's edges are alike in all directions
+        const double turns = std::atan2(q.y(), q.x()) / (2. * M_PI);
+        ++octants[static_cast<std::size_t>(8. * (turns - std::floor(turns))) % 8];
+      }
+    }
+    const auto [least, most] = std::minmax_element(octants.begin(), octants.end());
+    EXPECT_LT(*most, 1.5 * *least) << diameter;
+  }
+}
+
+TEST(FitPixels, OnlyPixelsOfTheImage)
+{
+  // A marker half outside, and one that is not in the image at all.
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const vpImage<unsigned char> I = numbered(90, 70);
+  for (int i = 0; i < 40; ++i) {
+    MarkerScene scene = markerScene(random, family, 3, 80., uniform(random, 0., 0.8), 80);
+    const double angle = uniform(random, 0., 2. * M_PI);
+    scene.center += uniform(random, 0., 4.) * scene.radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.);
+    for (const FitPixel &pixel : select(I, scene, 3)) {
+      const Eigen::Vector2d where = pixelOf(pixel, scene);
+      EXPECT_GE(where.minCoeff(), -1e-6);
+      EXPECT_LE(where.x(), 89. + 1e-6);
+      EXPECT_LE(where.y(), 69. + 1e-6);
+    }
+  }
+}
+
+TEST(FitPixels, BothHypothesesAreServed)
+{
+  // Two poses apart by three pixels: the edges of either are covered, where both agree it is the marker.
+  Random random = randomOfTest();
+  const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., 0., side);
+  MarkerScene moved = scene;
+  moved.center.x() += 3. * scene.center.z() / scene.focal;
+  const MarkerPlane planes[] = {scene.plane(), moved.plane()};
+  const vpImage<unsigned char> I = numbered(side, side);
+  const MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
+  const CameraModel camera(scene.camera());
+  std::vector<FitPixel> pixels;
+  selectPixels(I, camera, planes, 2, pattern, commonBlur, scene.family.getLayout().quietZone, 3000., pixels);
+  std::set<std::pair<int, int>> chosen;
+  for (const FitPixel &pixel : pixels) {
+    const Eigen::Vector2d where = pixelOf(pixel, scene);
+    chosen.insert({static_cast<int>(std::lround(where.x())), static_cast<int>(std::lround(where.y()))});
+  }
+  for (unsigned int v = 0; v < side; ++v) {
+    for (unsigned int u = 0; u < side; ++u) {
+      const Eigen::Vector2d where(u, v);
+      const ModelPixel pixel = {camera.toMeter(where), camera.meterPerPixel(where)};
+      const bool near = std::min(distanceToPattern(pixel, planes[0], pattern).toEdges,
+                                 distanceToPattern(pixel, planes[1], pattern).toEdges) < 2.;
+      if (near && scene.onMarker(u, v).norm() < 1.1 && moved.onMarker(u, v).norm() < 1.1) {
+        EXPECT_EQ(chosen.count({u, v}), 1u);
+      }
+    }
+  }
+}

@@ -1,0 +1,285 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The image model against brute-force integration, and its derivatives against finite differences.
+ */
+
+#include "testRoomTools.h"
+
+#include "refine/image_model.h"
+#include "support/camera_model.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr unsigned int side = 130;
+
+struct Error
+{
+  double worst = 0.;
+  double squares = 0.;
+  int pixels = 0; // that see an edge
+
+  double rootMeanSquare() const { return std::sqrt(squares / pixels); }
+};
+
+ModelPixel pixelAt(const CameraModel &camera, const Eigen::Vector2d &where)
+{
+  return {camera.toMeter(where), camera.meterPerPixel(where)};
+}
+
+//! The scene as share of black, on paper without end.
+MarkerScene asDarkness(MarkerScene scene)
+{
+  scene.white = 0.;
+  scene.black = 1.;
+  scene.sheet = 1e9;
+  return scene;
+}
+
+//! Model against integration at every pixel of the image.
+Error compare(const MarkerScene &scene, double blur)
+{
+  const vpImage<double> truth = expose(side, side, blur, asDarkness(scene), 8);
+  const CameraModel camera(scene.camera());
+  const MarkerPlane plane = scene.plane();
+  const MarkerPattern pattern =
+      patternOf(scene.family, scene.family.isCoded() ? 0 : -1, scene.family.getLayout().ringInner);
+  BlurParameters parameters;
+  parameters.sigma = std::sqrt(blur * blur + 1. / 12.);
+  MarkerPattern printed = pattern;
+  printed.word = scene.word;
+  Error error;
+  for (unsigned int v = 0; v < side; ++v) {
+    for (unsigned int u = 0; u < side; ++u) {
+      const double value = darknessAt(pixelAt(camera, Eigen::Vector2d(u, v)), plane, printed, parameters).value;
+      const double difference = std::fabs(value - truth[v][u]);
+      error.worst = std::max(error.worst, difference);
+      if (truth[v][u] > 0.001 && truth[v][u] < 0.999) {
+        error.squares += difference * difference;
+        ++error.pixels;
+      }
+    }
+  }
+  return error;
+}
+
+const vpCircleMarkerFamily::vpType families[] = {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31,
+                                                 vpCircleMarkerFamily::BCH31R, vpCircleMarkerFamily::RING,
+                                                 vpCircleMarkerFamily::DISC};
+
+int randomId(Random &random, const vpCircleMarkerFamily &family)
+{
+  return family.isCoded() ? static_cast<int>(random() % family.getNbIds()) : -1;
+}
+} // namespace
+
+TEST(ImageModel, AgreesWithIntegrationFromSixtyPixels)
+{
+  Random random = randomOfTest();
+  for (const vpCircleMarkerFamily::vpType type : families) {
+    const vpCircleMarkerFamily family(type);
+    for (int i = 0; i < 12; ++i) {
+      const double diameter = uniform(random, 60., 100.);
+      const double tilt = uniform(random, 0., 0.7);
+      const double blur = uniform(random, 0.5, 0.9);
+      const MarkerScene scene = markerScene(random, family, randomId(random, family), diameter, tilt, side);
+      const Error error = compare(scene, blur);
+      // The worst pixels are the corners of sectors at the track's inner rim, whose image curves by a pixel in 12.
+      EXPECT_LT(error.worst, 0.01) << family.getName() << " diameter " << diameter << " tilt " << tilt << " blur "
+                                   << blur;
+      EXPECT_LT(error.rootMeanSquare(), 0.0015) << family.getName() << " diameter " << diameter << " tilt " << tilt;
+    }
+  }
+}
+
+TEST(ImageModel, AgreesWithIntegrationAtTwentyPixels)
+{
+  Random random = randomOfTest();
+  for (const vpCircleMarkerFamily::vpType type : families) {
+    const vpCircleMarkerFamily family(type);
+    for (int i = 0; i < 12; ++i) {
+      const double tilt = uniform(random, 0., 0.7);
+      MarkerScene scene = markerScene(random, family, randomId(random, family), 20., tilt, side);
+      const Error error = compare(scene, 0.7);
+      EXPECT_LT(error.worst, 0.05) << family.getName() << " tilt " << tilt;
+      EXPECT_LT(error.rootMeanSquare(), 0.012) << family.getName() << " tilt " << tilt;
+    }
+  }
+}
+
+TEST(ImageModel, FarFromTheEdgesItIsBlackOrWhite)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 10; ++i) {
+    const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+    const MarkerScene scene = markerScene(random, family, 17, 100., uniform(random, 0., 0.7), side);
+    const MarkerPattern pattern = patternOf(family, 17, 0.8);
+    const CameraModel camera(scene.camera());
+    int flat = 0;
+    for (unsigned int v = 0; v < side; v += 2) {
+      for (unsigned int u = 0; u < side; u += 2) {
+        const ModelPixel pixel = pixelAt(camera, Eigen::Vector2d(u, v));
+        const PatternDistance distance = distanceToPattern(pixel, scene.plane(), pattern);
+        const Eigen::Vector2d q = scene.onMarker(u, v);
+        EXPECT_NEAR(distance.radius, std::max(q.norm(), 1e-6), 1e-9);
+        if (distance.toEdges > 5.) {
+          const Darkness darkness = darknessAt(pixel, scene.plane(), pattern, BlurParameters());
+          EXPECT_NEAR(darkness.value, scene.isBlack(q) ? 1. : 0., 1e-5);
+          EXPECT_LT(std::fabs(darkness.bySigma), 1e-4);
+          ++flat;
+        }
+      }
+    }
+    EXPECT_GT(flat, 100);
+  }
+}
+
+TEST(ImageModel, DistanceToEdgesIsThatOfThePrint)
+{
+  // Walk from a pixel in all directions until the print changes colour: the first change is the nearest edge.
+  Random random = randomOfTest();
+  for (int i = 0; i < 8; ++i) {
+    const vpCircleMarkerFamily family(families[i % 4]);
+    const int id = randomId(random, family);
+    const MarkerScene scene = markerScene(random, family, id, 90., uniform(random, 0., 0.7), side);
+    const MarkerPattern pattern = patternOf(family, id, family.getLayout().ringInner);
+    const CameraModel camera(scene.camera());
+    for (int k = 0; k < 150; ++k) {
+      const Eigen::Vector2d where(std::floor(uniform(random, 20., 110.)), std::floor(uniform(random, 20., 110.)));
+      const double distance = distanceToPattern(pixelAt(camera, where), scene.plane(), pattern).toEdges;
+      const bool here = scene.isBlack(scene.onMarker(where.x(), where.y()));
+      double nearest = HUGE_VAL;
+      for (int direction = 0; direction < 90; ++direction) {
+        const Eigen::Vector2d step(std::cos(2. * M_PI * direction / 90.), std::sin(2. * M_PI * direction / 90.));
+        for (double t = 0.05; t < std::min(nearest, 4.); t += 0.05) {
+          const Eigen::Vector2d p = where + t * step;
+          if (scene.isBlack(scene.onMarker(p.x(), p.y())) != here) {
+            nearest = t;
+            break;
+          }
+        }
+      }
+      if (nearest < 3.) {
+        // Never farther than the truth, but for first order; nearer only where a rim of the track is white.
+        EXPECT_LT(distance, nearest + 0.3) << "pixel " << where.transpose();
+      }
+      else if (!family.isCoded()) {
+        EXPECT_GT(distance, 2.6) << "pixel " << where.transpose();
+      }
+    }
+  }
+}
+
+TEST(ImageModel, DerivativesAgreeWithDifferences)
+{
+  Random random = randomOfTest();
+  for (const vpCircleMarkerFamily::vpType type : families) {
+    const vpCircleMarkerFamily family(type);
+    for (int i = 0; i < 8; ++i) {
+      const int id = randomId(random, family);
+      const MarkerScene scene =
+          markerScene(random, family, id, uniform(random, 50., 100.), uniform(random, 0., 0.9), side);
+      const MarkerPattern pattern = patternOf(family, id, family.getLayout().ringInner);
+      const CameraModel camera(scene.camera());
+      BlurParameters blur;
+      blur.sigma = uniform(random, 0.6, 1.2);
+      blur.growth = uniform(random, -0.2, 0.2);
+      // Central differences with steps of about a hundredth of a pixel.
+      const double pixelSize = scene.center.z() / scene.focal;
+      const auto difference = [&](const ModelPixel &pixel, int parameter) {
+        double values[2];
+        double step = 0.01;
+        for (int sign = 0; sign < 2; ++sign) {
+          MarkerPlane plane = scene.plane();
+          BlurParameters changed = blur;
+          const double h = (sign ? 1. : -1.) * 0.01;
+          if (parameter < 3) {
+            step = 0.01 * pixelSize;
+            plane.center[parameter] += h * pixelSize;
+          }
+          else if (parameter < 6) {
+            step = 0.01 * pixelSize / scene.radius;
+            plane.rotation = turn(h * pixelSize / scene.radius, Eigen::Vector3d::Unit(parameter - 3)) * plane.rotation;
+          }
+          else if (parameter == 6) {
+            changed.sigma += h;
+          }
+          else {
+            changed.growth += h;
+          }
+          values[sign] = darknessAt(pixel, plane, pattern, changed).value;
+        }
+        return (values[1] - values[0]) / (2. * step);
+      };
+      std::array<double, 8> largest{};
+      std::array<double, 8> worst{};
+      for (int k = 0; k < 800; ++k) {
+        const Eigen::Vector2d where(std::floor(uniform(random, 5., 125.)), std::floor(uniform(random, 5., 125.)));
+        const ModelPixel pixel = pixelAt(camera, where);
+        const Darkness darkness = darknessAt(pixel, scene.plane(), pattern, blur);
+        // The corners' part of the model has no part in the derivative: keep off where a border of sectors meets a rim.
+        const Eigen::Vector2d q = scene.onMarker(where.x(), where.y());
+        const vpCircleMarkerLayout &layout = family.getLayout();
+        const double reach = 5.5 * blur.sigma * 2. * pixelSize / (scene.radius * std::cos(0.9));
+        const bool nearRim = family.isCoded() && (std::fabs(q.norm() - layout.codeOuter) < reach ||
+                                                  std::fabs(q.norm() - layout.codeInner) < reach);
+        const bool outside = !family.isCoded() || q.norm() > layout.codeOuter + reach;
+        if (nearRim && !outside) {
+          continue;
+        }
+        for (int parameter = 0; parameter < 8; ++parameter) {
+          const auto p = static_cast<std::size_t>(parameter);
+          const double analytic = parameter < 6    ? darkness.byPose[parameter]
+                                  : parameter == 6 ? darkness.bySigma
+                                                   : darkness.byGrowth;
+          const double numeric = difference(pixel, parameter);
+          largest[p] = std::max(largest[p], std::fabs(numeric));
+          worst[p] = std::max(worst[p], std::fabs(analytic - numeric));
+        }
+      }
+      // What a sharp edge's derivative is like: the sample may have met no edge.
+      const double common = 0.4 / blur.sigma;
+      for (std::size_t p = 0; p < 8; ++p) {
+        const double scale = p < 3 ? common / pixelSize : p < 6 ? common * scene.radius / pixelSize : common;
+        // The model's own derivative holds the direction and the curvature of the edges: right to 3 %.
+        EXPECT_LT(worst[p], 3e-2 * std::max(largest[p], scale))
+            << family.getName() << " parameter " << p << " sigma " << blur.sigma;
+      }
+    }
+  }
+}
+
+TEST(ImageModel, GrowthMovesEveryEdgeOutward)
+{
+  // Black that is larger by g has each of its edges displaced by g: for the ring, other radii.
+  Random random = randomOfTest();
+  MarkerScene scene = markerScene(random, vpCircleMarkerFamily::ring(0.8), -1, 90., 0., side);
+  const CameraModel camera(scene.camera());
+  const MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
+  const double perPixel = scene.center.z() / (scene.focal * scene.radius);
+  BlurParameters grown;
+  grown.growth = 0.25;
+  MarkerPattern larger = pattern;
+  larger.ring[0].radius += 0.25 * perPixel;
+  larger.ring[1].radius -= 0.25 * perPixel;
+  for (unsigned int v = 0; v < side; ++v) {
+    for (unsigned int u = 0; u < side; ++u) {
+      const ModelPixel pixel = pixelAt(camera, Eigen::Vector2d(u, v));
+      EXPECT_NEAR(darknessAt(pixel, scene.plane(), pattern, grown).value,
+                  darknessAt(pixel, scene.plane(), larger, BlurParameters()).value, 0.002);
+    }
+  }
+}

@@ -1,0 +1,243 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Both poses of a marker, refined and compared.
+ */
+
+#include "testRoomTools.h"
+
+#include "refine/measure.h"
+#include "refine/report.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr unsigned int side = 150;
+
+double tiltOf(const MarkerPlane &plane)
+{
+  return std::acos(std::min(1., plane.rotation.col(2).dot(plane.center.normalized())));
+}
+
+//! The pose with the same outline, nearly: the normal on the other side of the line of sight.
+MarkerPlane twinOf(const MarkerPlane &plane)
+{
+  MarkerPlane twin = plane;
+  const Eigen::Vector3d sight = plane.center.normalized();
+  twin.rotation = turn(-2. * tiltOf(plane), sight.cross(plane.rotation.col(2))) * plane.rotation;
+  return twin;
+}
+
+Recognition recognised(const MarkerScene &scene, int id, bool twinFirst)
+{
+  Recognition marker;
+  marker.family = scene.family;
+  marker.code.id = id;
+  marker.ringInner = scene.family.getLayout().ringInner;
+  const MarkerPlane truth = scene.plane();
+  marker.poses = {twinFirst ? twinOf(truth) : truth, twinFirst ? truth : twinOf(truth)};
+  return marker;
+}
+
+double angleBetween(const Eigen::Vector3d &a, const Eigen::Vector3d &b)
+{
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+} // namespace
+
+TEST(Measure, TheTruthComesFirst)
+{
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31, vpCircleMarkerFamily::RING}) {
+    const vpCircleMarkerFamily family(type);
+    for (int i = 0; i < 25; ++i) {
+      const int id = family.isCoded() ? static_cast<int>(random() % family.getNbIds()) : -1;
+      const MarkerScene scene =
+          markerScene(random, family, id, uniform(random, 60., 100.), uniform(random, 0.35, 0.9), side);
+      const vpImage<unsigned char> I = digitise(expose(side, side, 0.7, scene), 2., random);
+      std::vector<FitPixel> pixels;
+      const auto result = measure(I, CameraModel(scene.camera()), recognised(scene, id, i % 2), true, pixels);
+      ASSERT_TRUE(result) << family.getName();
+      EXPECT_LT(angleBetween(result->first.plane.rotation.col(2), scene.rotation.col(2)), 0.02) << family.getName();
+      EXPECT_LT((result->first.plane.center - scene.center).norm(), 0.005 * scene.center.z());
+      ASSERT_TRUE(result->second) << "tilt " << tiltOf(scene.plane());
+      // The other solution leans to the other side by about as much.
+      EXPECT_NEAR(angleBetween(result->second->plane.rotation.col(2), scene.rotation.col(2)),
+                  2. * tiltOf(scene.plane()), 0.15);
+      EXPECT_GT(result->cost2, result->cost + 3.) << family.getName();
+    }
+  }
+}
+
+TEST(Measure, ADiscCannotTellItsPosesApart)
+{
+  // One frame of a disc gives both poses the same likelihood, so neither may be called much the better.
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::DISC);
+  int trusted = 0;
+  for (int i = 0; i < 20; ++i) {
+    const MarkerScene scene = markerScene(random, family, -1, 60., uniform(random, 0.35, 0.8), side);
+    const vpImage<unsigned char> I = digitise(expose(side, side, 0.7, scene), 2., random);
+    std::vector<FitPixel> pixels;
+    const auto result = measure(I, CameraModel(scene.camera()), recognised(scene, -1, i % 2), true, pixels);
+    ASSERT_TRUE(result);
+    ASSERT_TRUE(result->second);
+    EXPECT_LE(result->cost, result->cost2);
+    trusted += result->cost2 - result->cost > 3.;
+    const double best = std::min(angleBetween(result->first.plane.rotation.col(2), scene.rotation.col(2)),
+                                 angleBetween(result->second->plane.rotation.col(2), scene.rotation.col(2)));
+    EXPECT_LT(best, 0.02);
+  }
+  EXPECT_LE(trusted, 3);
+}
+
+TEST(Measure, FrontalPosesAreOne)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  MarkerScene scene = markerScene(random, family, 8, 80., 0., side);
+  // Exactly toward the camera: both starts are the truth.
+  const Eigen::Vector3d sight = scene.center.normalized();
+  scene.rotation.col(2) = sight;
+  scene.rotation.col(0) = (scene.rotation.col(0) - scene.rotation.col(0).dot(sight) * sight).normalized();
+  scene.rotation.col(1) = sight.cross(scene.rotation.col(0));
+  Recognition marker;
+  marker.family = family;
+  marker.code.id = 8;
+  marker.poses = {scene.plane(), scene.plane()};
+  std::vector<FitPixel> pixels;
+  const auto result = measure(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), marker, true, pixels);
+  ASSERT_TRUE(result);
+  EXPECT_FALSE(result->second);
+  EXPECT_EQ(result->cost2, HUGE_VAL);
+}
+
+TEST(Measure, WithoutRefinementThePosesStay)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene scene = markerScene(random, family, 8, 80., uniform(random, 0.4, 0.8), side);
+    const Recognition marker = recognised(scene, 8, i % 2);
+    std::vector<FitPixel> pixels;
+    const auto result = measure(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), marker, false, pixels);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->first.plane.center, scene.center);
+    EXPECT_EQ(result->first.plane.rotation, scene.rotation);
+  }
+}
+
+TEST(Measure, WhatIsNotTheMarkerIsRefused)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  std::vector<FitPixel> pixels;
+  for (int i = 0; i < 20; ++i) {
+    const MarkerScene scene = markerScene(random, family, 8, 80., uniform(random, 0., 0.8), side);
+    const CameraModel camera(scene.camera());
+    // Noise, a flat image, a picture of another kind.
+    vpImage<double> noise(side, side, 127.);
+    EXPECT_FALSE(measure(digitise(noise, 40., random), camera, recognised(scene, 8, false), true, pixels));
+    EXPECT_FALSE(measure(vpImage<unsigned char>(side, side, 200), camera, recognised(scene, 8, false), true, pixels));
+    const vpImage<unsigned char> stripes =
+        photograph(side, side, 0.7, [](double u, double v) { return std::sin(0.3 * u + 0.2 * v) > 0. ? ink : paper; });
+    EXPECT_FALSE(measure(stripes, camera, recognised(scene, 8, false), true, pixels));
+  }
+}
+
+TEST(Report, CovarianceInTheCameraFrame)
+{
+  // By its definition: a disturbance (t, w) about the marker's centre is delta = (t - w x C, w) at the camera, so that
+  // samples of the first, turned into exp(delta), must have the covariance reported.
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const MarkerScene scene = markerScene(random, family, 8, 80., 0.5, side);
+  std::vector<FitPixel> pixels;
+  const CameraModel camera(scene.camera());
+  const Recognition marker = recognised(scene, 8, false);
+  auto result = measure(digitise(expose(side, side, 0.7, scene), 2., random), camera, marker, true, pixels);
+  ASSERT_TRUE(result);
+  const vpCircleMarkerDetection detection = reportOf(marker, *result, camera, 0.9, true);
+  EXPECT_EQ(detection.dof, 6u);
+  EXPECT_EQ(detection.visible, 0.9);
+  EXPECT_EQ(detection.id, 8);
+  EXPECT_DOUBLE_EQ(detection.size, 0.2);
+  Eigen::Matrix<double, 6, 6> reported;
+  for (unsigned int row = 0; row < 6; ++row) {
+    for (unsigned int column = 0; column < 6; ++column) {
+      reported(row, column) = detection.covariance[row][column];
+      EXPECT_EQ(detection.covariance[row][column], detection.covariance[column][row]);
+    }
+  }
+  const Eigen::Vector3d C = result->first.plane.center;
+  Eigen::Matrix3d cross;
+  cross << 0., -C.z(), C.y(), C.z(), 0., -C.x(), -C.y(), C.x(), 0.;
+  // t = v + w x C, so that (t, w) = A delta with A = [1, -[C]x; 0, 1]: A reported A^T is the covariance of (t, w).
+  Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Identity();
+  A.topRightCorner<3, 3>() = -cross;
+  const Eigen::Matrix<double, 6, 6> back = A * reported * A.transpose();
+  for (int row = 0; row < 6; ++row) {
+    for (int column = 0; column < 6; ++column) {
+      const double scale = std::sqrt(result->first.covariance(row, row) * result->first.covariance(column, column));
+      EXPECT_NEAR(back(row, column), result->first.covariance(row, column), 1e-4 * scale);
+    }
+  }
+}
+
+TEST(Report, FramesSpinAndEllipse)
+{
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING}) {
+    const vpCircleMarkerFamily family(type);
+    const int id = family.isCoded() ? 8 : -1;
+    const MarkerScene scene = markerScene(random, family, id, 80., 0.6, side);
+    std::vector<FitPixel> pixels;
+    const CameraModel camera(scene.camera());
+    const Recognition marker = recognised(scene, id, false);
+    const auto result = measure(photograph(side, side, 0.7, scene), camera, marker, true, pixels);
+    ASSERT_TRUE(result);
+    const vpCircleMarkerDetection aligned = reportOf(marker, *result, camera, 1., true);
+    const vpCircleMarkerDetection turned = reportOf(marker, *result, camera, 1., false);
+    for (unsigned int row = 0; row < 3; ++row) {
+      EXPECT_EQ(aligned.cMo[row][0], turned.cMo[row][0]);
+      EXPECT_EQ(aligned.cMo[row][1], -turned.cMo[row][1]);
+      EXPECT_EQ(aligned.cMo[row][2], -turned.cMo[row][2]);
+      EXPECT_EQ(aligned.cMo[row][3], turned.cMo[row][3]);
+      EXPECT_NEAR(aligned.cMo[row][2], result->first.plane.rotation(row, 2), 1e-12);
+    }
+    EXPECT_EQ(aligned.dof, family.isCoded() ? 6u : 5u);
+    // Points of the outline lie on the ellipse.
+    const double c = std::cos(aligned.ellipse.angle), s = std::sin(aligned.ellipse.angle);
+    for (const vpImagePoint &point : outlineOf(result->first.plane, camera, 20)) {
+      const double x = point.get_u() - aligned.ellipse.center.get_u();
+      const double y = point.get_v() - aligned.ellipse.center.get_v();
+      EXPECT_NEAR(std::hypot((c * x + s * y) / aligned.ellipse.a, (c * y - s * x) / aligned.ellipse.b), 1., 1e-6);
+    }
+    EXPECT_GE(aligned.ellipse.a, aligned.ellipse.b);
+    const Eigen::Vector3d C = result->first.plane.center;
+    EXPECT_NEAR(aligned.center.get_u(), scene.principal.x() + scene.focal * C.x() / C.z(), 1e-9);
+    EXPECT_NEAR(aligned.center.get_v(), scene.principal.y() + scene.focal * C.y() / C.z(), 1e-9);
+    if (!family.isCoded()) {
+      // Nothing is known of the spin: the variance of a uniform angle about the normal.
+      double variance = 0.;
+      for (unsigned int row = 0; row < 3; ++row) {
+        for (unsigned int column = 0; column < 3; ++column) {
+          variance += aligned.cMo[row][2] * aligned.covariance[row + 3][column + 3] * aligned.cMo[column][2];
+        }
+      }
+      EXPECT_NEAR(variance, M_PI * M_PI / 3., 1e-6);
+    }
+  }
+}

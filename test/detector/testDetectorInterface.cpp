@@ -1,0 +1,464 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The interface of vpDetectorCircleMarker: messages, frames, sizes, settings, errors.
+ */
+
+#include "detector_scenes.h"
+
+#include <cstdio>
+#include <fstream>
+
+#include <visp3/core/vpException.h>
+#include <visp3/core/vpMeterPixelConversion.h>
+
+using namespace detector_test;
+
+namespace {
+//! Two markers, 5 and 9, of any spin.
+struct TwoMarkers
+{
+  Random random = randomOfTest();
+  vpHomogeneousMatrix poses[2] = {randomPose(random, 110., 0.5, 180., 220.), randomPose(random, 80., 0.7, 460., 250.)};
+  vpImage<unsigned char> I = imageOf(straightCamera(),
+                                     {printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(poses[0]),
+                                      printed(vpCircleMarkerFamily::GOLAY23, 9).setPose(poses[1])},
+                                     random);
+};
+
+//! A file that is removed at the end.
+class TestFile
+{
+public:
+  TestFile()
+      : m_name(std::string("testDetectorInterface-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
+               ".json")
+  {
+  }
+  ~TestFile() { std::remove(m_name.c_str()); }
+  void write(const std::string &text) const { std::ofstream(m_name) << text; }
+  const std::string &name() const { return m_name; }
+
+private:
+  std::string m_name;
+};
+
+//! Code of the exception that a call throws; -1 without one.
+template <class Call> int codeOf(const Call &call)
+{
+  try {
+    call();
+  }
+  catch (const vpException &error) {
+    EXPECT_FALSE(std::string(error.what()).empty());
+    return error.getCode();
+  }
+  return -1;
+}
+} // namespace
+
+TEST(DetectorInterface, MessagesAndLists)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker detector;
+  std::vector<vpHomogeneousMatrix> cMo, cMo2;
+  std::vector<double> errors, errors2;
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), cMo, &cMo2, &errors, &errors2));
+  ASSERT_EQ(detector.getNbObjects(), 2u);
+  // Largest outline first.
+  EXPECT_EQ(detector.getMessage(0), "golay23 id: 5");
+  EXPECT_EQ(detector.getMessage(1), "golay23 id: 9");
+  EXPECT_EQ(detector.getTagsId(), std::vector<int>({5, 9}));
+  EXPECT_EQ(detector.getTagsHammingDistance(), std::vector<int>({0, 0}));
+  ASSERT_EQ(detector.getTagsDecisionMargin().size(), 2u);
+  ASSERT_EQ(detector.getTagsCorners().size(), 2u);
+  ASSERT_EQ(cMo.size(), 2u);
+  ASSERT_EQ(cMo2.size(), 2u);
+  ASSERT_EQ(errors.size(), 2u);
+  ASSERT_EQ(errors2.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const vpCircleMarkerDetection &found = detector.getDetections()[i];
+    EXPECT_FLOAT_EQ(detector.getTagsDecisionMargin()[i], static_cast<float>(detector.getMargin(i)));
+    EXPECT_GT(detector.getMargin(i), 0.6);
+    EXPECT_LE(detector.getMargin(i), 1.);
+    EXPECT_EQ(detector.getHammingDistance(i), 0u);
+    EXPECT_EQ(errors[i], found.cost);
+    EXPECT_EQ(errors2[i], found.cost2);
+    EXPECT_LE(errors[i], errors2[i]);
+    EXPECT_EQ(detector.getLogOdds(i), found.hasSecondPose ? errors2[i] - errors[i] : HUGE_VAL);
+    EXPECT_LT(differenceOf(cMo2[i], found.hasSecondPose ? found.cMo2 : found.cMo), 1e-15);
+    EXPECT_EQ(detector.getPolygon(i).size(), detector.getTagsCorners()[i].size());
+  }
+}
+
+TEST(DetectorInterface, MessageWithoutACode)
+{
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::RING, vpCircleMarkerFamily::DISC}) {
+    vpDetectorCircleMarker detector(type);
+    ASSERT_TRUE(detector.detect(imageOf(printed(type, -1).setPose(randomPose(random, 90., 0.5)), random)));
+    EXPECT_EQ(detector.getMessage(0), vpCircleMarkerFamily(type).getName());
+    EXPECT_EQ(detector.getTagsId(), std::vector<int>({-1}));
+  }
+}
+
+TEST(DetectorInterface, FramesDifferByAHalfTurnAboutX)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker detector;
+  std::vector<vpHomogeneousMatrix> toward, aligned, toward2, aligned2;
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), toward, &toward2));
+  const vpMatrix covariance = detector.getCovariance(0);
+  detector.setZAlignedWithCameraAxis(true);
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), aligned, &aligned2));
+  const Eigen::Matrix3d halfTurn = Eigen::Vector3d(1., -1., -1.).asDiagonal();
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT((rotationOf(aligned[i]) * halfTurn - rotationOf(toward[i])).norm(), 1e-12);
+    EXPECT_LT((rotationOf(aligned2[i]) * halfTurn - rotationOf(toward2[i])).norm(), 1e-12);
+    EXPECT_EQ(translationOf(aligned[i]), translationOf(toward[i]));
+    // Away from the camera, and the truth.
+    EXPECT_GT(aligned[i][2][2], 0.);
+    EXPECT_LT(toward[i][2][2], 0.);
+    EXPECT_LT(differenceOf(aligned[i], scene.poses[i]), 0.03);
+  }
+  for (unsigned int row = 0; row < 6; ++row) {
+    for (unsigned int column = 0; column < 6; ++column) {
+      EXPECT_EQ(detector.getCovariance(0)[row][column], covariance[row][column]);
+    }
+  }
+}
+
+TEST(DetectorInterface, CenterIsTheProjectionOfTheOrigin)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker detector;
+  std::vector<vpHomogeneousMatrix> cMo;
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), cMo));
+  for (std::size_t i = 0; i < 2; ++i) {
+    double u = 0., v = 0.;
+    vpMeterPixelConversion::convertPoint(straightCamera(), cMo[i][0][3] / cMo[i][2][3], cMo[i][1][3] / cMo[i][2][3], u,
+                                         v);
+    EXPECT_NEAR(detector.getCenter(i).get_u(), u, 1e-9);
+    EXPECT_NEAR(detector.getCenter(i).get_v(), v, 1e-9);
+    // And the true one, which the centre of the ellipse is not.
+    const Eigen::Vector3d t = translationOf(scene.poses[i]);
+    EXPECT_NEAR(detector.getCenter(i).get_u(), 319.5 + focal * t.x() / t.z(), 0.05);
+    EXPECT_NEAR(detector.getCenter(i).get_v(), 239.5 + focal * t.y() / t.z(), 0.05);
+    EXPECT_GT(vpImagePoint::distance(detector.getCenter(i), detector.getDetections()[i].ellipse.center), 0.2);
+  }
+}
+
+TEST(DetectorInterface, EllipseIsThatOfTheRing)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 5; ++i) {
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    simulator.addMarker(printed(vpCircleMarkerFamily::GOLAY23, i).setPose(randomPose(random, 90., 0.7)));
+    vpImage<unsigned char> I;
+    const vpEllipseTruth truth = *simulator.render(I, random())[0].ellipse;
+    vpDetectorCircleMarker detector;
+    std::vector<vpHomogeneousMatrix> cMo;
+    ASSERT_TRUE(detector.detect(I, size, straightCamera(), cMo));
+    const vpImageEllipse &found = detector.getDetections()[0].ellipse;
+    EXPECT_LT(vpImagePoint::distance(found.center, truth.center), 0.05);
+    EXPECT_NEAR(found.a, truth.semiAxisA, 0.05);
+    EXPECT_NEAR(found.b, truth.semiAxisB, 0.05);
+    EXPECT_NEAR(std::remainder(found.angle - truth.angle, M_PI), 0., 0.005);
+  }
+}
+
+TEST(DetectorInterface, SizesOfSingleMarkers)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker detector;
+  std::vector<vpHomogeneousMatrix> before, after;
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), before));
+  detector.setMarkerSizes({{9, 0.09}, {77, 3.}});
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), after));
+  EXPECT_DOUBLE_EQ(detector.getDetections()[0].size, size);
+  EXPECT_DOUBLE_EQ(detector.getDetections()[1].size, 0.09);
+  EXPECT_LT(differenceOf(after[0], before[0]), 1e-12);
+  EXPECT_LT((translationOf(after[1]) - 0.5 * translationOf(before[1])).norm(), 1e-3 * translationOf(after[1]).z());
+  EXPECT_LT((rotationOf(after[1]) - rotationOf(before[1])).norm(), 1e-3);
+}
+
+TEST(DetectorInterface, PoseForAnotherSize)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker detector;
+  std::vector<vpHomogeneousMatrix> cMo, cMo2;
+  std::vector<double> errors, errors2;
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), cMo, &cMo2, &errors, &errors2));
+  for (std::size_t i = 0; i < 2; ++i) {
+    vpHomogeneousMatrix pose, pose2;
+    double error = 0., error2 = 0.;
+    ASSERT_TRUE(detector.getPose(i, size, straightCamera(), pose, &pose2, &error, &error2));
+    EXPECT_LT(differenceOf(pose, cMo[i]), 1e-3);
+    EXPECT_LT(differenceOf(pose2, cMo2[i]), 1e-3);
+    EXPECT_NEAR(error, errors[i], 0.01 * errors[i]);
+    EXPECT_NEAR(error2, errors2[i], 0.01 * errors2[i]);
+    ASSERT_TRUE(detector.getPose(i, 3. * size, straightCamera(), pose));
+    EXPECT_LT((translationOf(pose) - 3. * translationOf(cMo[i])).norm(), 1e-3 * translationOf(pose).z());
+    EXPECT_LT((rotationOf(pose) - rotationOf(cMo[i])).norm(), 1e-3);
+  }
+}
+
+TEST(DetectorInterface, WithoutACameraAndThenWithOne)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker with, without;
+  std::vector<vpHomogeneousMatrix> cMo;
+  ASSERT_TRUE(with.detect(scene.I, size, straightCamera(), cMo));
+  ASSERT_TRUE(without.detect(scene.I));
+  ASSERT_EQ(without.getTagsId(), with.getTagsId());
+  for (std::size_t i = 0; i < 2; ++i) {
+    vpHomogeneousMatrix pose;
+    ASSERT_TRUE(without.getPose(i, size, straightCamera(), pose));
+    EXPECT_LT(differenceOf(pose, cMo[i]), 1e-3);
+  }
+}
+
+TEST(DetectorInterface, ImagesWithoutMarkers)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker detector;
+  std::vector<vpHomogeneousMatrix> cMo, cMo2;
+  std::vector<double> errors, errors2;
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), cMo, &cMo2, &errors, &errors2));
+  // Nothing of the last image is left.
+  for (const unsigned char grey : {0, 128, 255}) {
+    const vpImage<unsigned char> blank(height, width, grey);
+    EXPECT_FALSE(detector.detect(blank, size, straightCamera(), cMo, &cMo2, &errors, &errors2));
+    EXPECT_TRUE(cMo.empty() && cMo2.empty() && errors.empty() && errors2.empty());
+    EXPECT_EQ(detector.getNbObjects(), 0u);
+    EXPECT_TRUE(detector.getMessage().empty());
+    EXPECT_TRUE(detector.getPolygon().empty());
+    EXPECT_TRUE(detector.getDetections().empty());
+    EXPECT_TRUE(detector.getTagsId().empty());
+    EXPECT_TRUE(detector.getTagsCorners().empty());
+  }
+  EXPECT_FALSE(detector.detect(vpImage<unsigned char>(16, 16, 100)));
+  EXPECT_FALSE(detector.detect(vpImage<unsigned char>(16, 2000, 100)));
+}
+
+TEST(DetectorInterface, ImagesTooSmall)
+{
+  vpDetectorCircleMarker detector;
+  std::vector<vpHomogeneousMatrix> cMo;
+  for (const auto &[rows, columns] :
+       {std::pair(0u, 0u), std::pair(1u, 1u), std::pair(15u, 16u), std::pair(16u, 15u), std::pair(1000u, 3u)}) {
+    const vpImage<unsigned char> I(rows, columns);
+    EXPECT_EQ(codeOf([&] { detector.detect(I); }), vpException::dimensionError) << rows << " x " << columns;
+    EXPECT_EQ(codeOf([&] { detector.detect(I, size, straightCamera(), cMo); }), vpException::dimensionError);
+  }
+}
+
+TEST(DetectorInterface, SizesMustBePositive)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker detector;
+  std::vector<vpHomogeneousMatrix> cMo;
+  vpHomogeneousMatrix pose;
+  ASSERT_TRUE(detector.detect(scene.I));
+  for (const double wrong : {0., -0.1, std::nan(""), HUGE_VAL}) {
+    EXPECT_EQ(codeOf([&] { detector.detect(scene.I, wrong, straightCamera(), cMo); }), vpException::badValue);
+    EXPECT_EQ(codeOf([&] { detector.getPose(0, wrong, straightCamera(), pose); }), vpException::badValue);
+    EXPECT_EQ(codeOf([&] { detector.setMarkerSizes({{1, 0.1}, {2, wrong}}); }), vpException::badValue);
+  }
+}
+
+TEST(DetectorInterface, IndicesOutOfRange)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker detector;
+  vpHomogeneousMatrix pose;
+  for (const std::size_t index : {std::size_t(0), std::size_t(2), std::size_t(1000000), ~std::size_t(0)}) {
+    EXPECT_EQ(codeOf([&] { detector.getPose(index, size, straightCamera(), pose); }), vpException::badValue);
+    EXPECT_EQ(codeOf([&] { detector.getCenter(index); }), vpException::badValue);
+    EXPECT_EQ(codeOf([&] { detector.getCovariance(index); }), vpException::badValue);
+    EXPECT_EQ(codeOf([&] { detector.getLogOdds(index); }), vpException::badValue);
+    EXPECT_EQ(codeOf([&] { detector.getMargin(index); }), vpException::badValue);
+    EXPECT_EQ(codeOf([&] { detector.getHammingDistance(index); }), vpException::badValue);
+    if (index == 0) {
+      ASSERT_TRUE(detector.detect(scene.I)); // from now on 0 and 1 are there
+      EXPECT_EQ(codeOf([&] { detector.getMargin(1); }), -1);
+    }
+  }
+}
+
+TEST(DetectorInterface, SettingsOutOfRange)
+{
+  vpDetectorCircleMarker detector;
+  EXPECT_EQ(codeOf([&] { detector.setFamilies({}); }), vpException::badValue);
+  EXPECT_EQ(codeOf([&] { detector.setNbThreads(0); }), vpException::badValue);
+  for (const double wrong : {-0.01, 1.01, std::nan("")}) {
+    EXPECT_EQ(codeOf([&] { detector.setMinimumMargin(wrong); }), vpException::badValue);
+  }
+  EXPECT_EQ(detector.getFamilies().size(), 1u);
+}
+
+TEST(DetectorInterface, TwoFamiliesInOneImage)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I =
+      imageOf(straightCamera(),
+              {printed(vpCircleMarkerFamily::BCH31, 1234).setPose(randomPose(random, 120., 0.4, 170., 240.)),
+               printed(vpCircleMarkerFamily::GOLAY23, 3).setPose(randomPose(random, 90., 0.4, 460., 240.))},
+              random);
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);
+  ASSERT_TRUE(detector.detect(I));
+  ASSERT_EQ(detector.getNbObjects(), 1u);
+  EXPECT_EQ(detector.getMessage(0), "golay23 id: 3");
+  detector.setFamilies({vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31});
+  ASSERT_TRUE(detector.detect(I));
+  ASSERT_EQ(detector.getNbObjects(), 2u);
+  EXPECT_EQ(detector.getMessage(0), "bch31 id: 1234");
+  EXPECT_EQ(detector.getMessage(1), "golay23 id: 3");
+  detector.setFamily(vpCircleMarkerFamily::BCH31);
+  ASSERT_TRUE(detector.detect(I));
+  EXPECT_EQ(detector.getTagsId(), std::vector<int>({1234}));
+}
+
+TEST(DetectorInterface, CopiesAreIndependent)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker original;
+  ASSERT_TRUE(original.detect(scene.I));
+  vpDetectorCircleMarker copy(original);
+  vpDetectorCircleMarker assigned(vpCircleMarkerFamily::DISC);
+  assigned = original;
+  // The copies hold the results, and can still measure.
+  vpHomogeneousMatrix pose, poseOfCopy;
+  ASSERT_TRUE(original.getPose(0, size, straightCamera(), pose));
+  for (vpDetectorCircleMarker *one : {&copy, &assigned}) {
+    ASSERT_EQ(one->getNbObjects(), 2u);
+    EXPECT_EQ(one->getMessage(1), "golay23 id: 9");
+    ASSERT_TRUE(one->getPose(0, size, straightCamera(), poseOfCopy));
+    EXPECT_LT(differenceOf(pose, poseOfCopy), 1e-12);
+  }
+  // What becomes of one does not touch the others.
+  copy.setFamily(vpCircleMarkerFamily::BCH31);
+  copy.setZAlignedWithCameraAxis(true);
+  EXPECT_FALSE(copy.detect(vpImage<unsigned char>(100, 100, 0)));
+  EXPECT_EQ(original.getNbObjects(), 2u);
+  EXPECT_EQ(original.getFamilies()[0].getType(), vpCircleMarkerFamily::GOLAY23);
+  ASSERT_TRUE(original.getPose(0, size, straightCamera(), poseOfCopy));
+  EXPECT_LT(differenceOf(pose, poseOfCopy), 1e-12);
+  const vpDetectorCircleMarker &self = assigned;
+  assigned = self;
+  EXPECT_EQ(assigned.getNbObjects(), 2u);
+  EXPECT_EQ(assigned.getTagsId(), std::vector<int>({5, 9}));
+}
+
+TEST(DetectorInterface, TheSameImageTheSameResult)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker used, fresh, threaded;
+  threaded.setNbThreads(3);
+  std::vector<vpHomogeneousMatrix> first, again, other;
+  ASSERT_TRUE(used.detect(scene.I, size, straightCamera(), first));
+  used.detect(vpImage<unsigned char>(333, 444, 50));
+  ASSERT_TRUE(used.detect(scene.I, size, straightCamera(), again));
+  ASSERT_TRUE(threaded.detect(scene.I, size, straightCamera(), other));
+  ASSERT_TRUE(fresh.detect(scene.I));
+  ASSERT_EQ(first.size(), again.size());
+  ASSERT_EQ(first.size(), other.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(differenceOf(first[i], again[i]), 0.);
+    EXPECT_EQ(differenceOf(first[i], other[i]), 0.);
+  }
+}
+
+TEST(DetectorInterface, WithoutRefinement)
+{
+  TwoMarkers scene;
+  vpDetectorCircleMarker detector;
+  detector.setZAlignedWithCameraAxis(true);
+  std::vector<vpHomogeneousMatrix> refined, coarse;
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), refined));
+  detector.setRefinePose(false);
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), coarse));
+  EXPECT_EQ(detector.getTagsId(), std::vector<int>({5, 9}));
+  for (std::size_t i = 0; i < 2; ++i) {
+    // The closed form is near, but it is not the refined pose.
+    EXPECT_LT((translationOf(coarse[i]) - translationOf(scene.poses[i])).norm(), 0.02 * translationOf(coarse[i]).z());
+    EXPECT_GT((translationOf(coarse[i]) - translationOf(refined[i])).norm(), 1e-6);
+    EXPECT_GT(rotationOf(coarse[i]).col(2).dot(rotationOf(scene.poses[i]).col(2)), std::cos(0.1));
+    EXPECT_GT(rotationOf(coarse[i]).col(0).dot(rotationOf(scene.poses[i]).col(0)), std::cos(0.15));
+  }
+}
+
+TEST(DetectorInterface, CorrectionCanBeForbidden)
+{
+  // A corner of the sheet lies over some of the code's sectors, but not over the ring.
+  TwoMarkers scene;
+  vpDetectorCircleMarker detector;
+  detector.setMinimumMargin(1.);
+  EXPECT_FALSE(detector.detect(scene.I));
+  detector.setMinimumMargin(0.);
+  detector.setMaximumHammingDistance(0);
+  ASSERT_TRUE(detector.detect(scene.I));
+  EXPECT_EQ(detector.getNbObjects(), 2u);
+}
+
+TEST(DetectorInterface, ConfigurationFiles)
+{
+  TestFile file;
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::BCH31);
+  detector.setFamilies({vpCircleMarkerFamily::BCH31, vpCircleMarkerFamily::GOLAY23});
+  detector.setMarkerSizes({{9, 0.09}});
+  detector.setZAlignedWithCameraAxis(true);
+  detector.saveConfigFile(file.name());
+  vpDetectorCircleMarker loaded;
+  loaded.loadConfigFile(file.name());
+  ASSERT_EQ(loaded.getFamilies().size(), 2u);
+  EXPECT_EQ(loaded.getFamilies()[0].getType(), vpCircleMarkerFamily::BCH31);
+  EXPECT_EQ(loaded.getFamilies()[1].getType(), vpCircleMarkerFamily::GOLAY23);
+  // The settings act: both detectors see the same.
+  TwoMarkers scene;
+  std::vector<vpHomogeneousMatrix> expected, found;
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), expected));
+  ASSERT_TRUE(loaded.detect(scene.I, size, straightCamera(), found));
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_DOUBLE_EQ(loaded.getDetections()[1].size, 0.09);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(differenceOf(expected[i], found[i]), 0.);
+    EXPECT_GT(found[i][2][2], 0.);
+  }
+}
+
+TEST(DetectorInterface, WrongConfigurationChangesNothing)
+{
+  TestFile file;
+  for (const char *text :
+       {"{\"families\": [\"ring\"], \"colour\": 3}", "{\"families\": []}",
+        "{\"families\": [\"ring\"], \"sizes\": {\"3\": -0.1}}", "{\"families\": [\"ring\"], \"minimumMargin\": 2}",
+        "{\"families\": [\"ring\"], \"threads\": 0}", "{\"families\": [\"ring\"], \"threads\": -1}", "{"}) {
+    file.write(text);
+    vpDetectorCircleMarker detector;
+    EXPECT_EQ(codeOf([&] { detector.loadConfigFile(file.name()); }), vpException::badValue) << text;
+    ASSERT_EQ(detector.getFamilies().size(), 1u) << text;
+    EXPECT_EQ(detector.getFamilies()[0].getType(), vpCircleMarkerFamily::GOLAY23) << text;
+  }
+  file.write("{\"colour\": 3}");
+  try {
+    vpDetectorCircleMarker().loadConfigFile(file.name());
+    FAIL();
+  }
+  catch (const vpException &error) {
+    EXPECT_NE(std::string(error.what()).find("colour"), std::string::npos) << error.what();
+  }
+  EXPECT_EQ(codeOf([] { vpDetectorCircleMarker().loadConfigFile("no-such-file.json"); }), vpException::ioError);
+  EXPECT_EQ(codeOf([] { vpDetectorCircleMarker().saveConfigFile("no-such-folder/x.json"); }), vpException::ioError);
+}
