@@ -94,7 +94,7 @@ public:
   double getMargin(size_t index) const;
   unsigned int getHammingDistance(size_t index) const;
   std::vector<int> getTagsId() const;
-  std::vector<std::vector<vpImagePoint> > getTagsCorners() const;
+  std::vector<std::vector<vpImagePoint>> getTagsCorners() const;
   std::vector<int> getTagsHammingDistance() const;
   std::vector<float> getTagsDecisionMargin() const;
   //@}
