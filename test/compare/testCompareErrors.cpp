@@ -25,7 +25,7 @@
 #include <visp3/core/vpThetaUVector.h>
 #include <visp3/core/vpTranslationVector.h>
 
-#include "pose_error.h"
+#include "common/pose_error.h"
 #include "summary.h"
 
 using namespace compare;

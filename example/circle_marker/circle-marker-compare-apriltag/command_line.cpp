@@ -15,45 +15,14 @@
  * The command line of circle-marker-compare-apriltag.
  */
 
-#include <algorithm>
-#include <cstddef>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "command_line.h"
-#include "detectors.h"
+#include "common/arguments.h"
 
 namespace compare {
 namespace {
 /*! Arguments in the order CLI11 wants them, last first; options may be written with underscores, as ViSP's tools do. */
-std::vector<std::string> reversedArguments(int argc, const char *const argv[])
-{
-  std::vector<std::string> arguments;
-  for (int i = argc - 1; i > 0; --i) {
-    std::string argument = argv[i];
-    if (argument.compare(0, 2, "--") == 0) {
-      const std::size_t length = std::min(argument.find('='), argument.size());
-      std::replace(argument.begin(), argument.begin() + static_cast<std::ptrdiff_t>(length), '_', '-');
-    }
-    arguments.push_back(argument);
-  }
-  return arguments;
-}
-
-/*! A number in a range; CLI11's own check lets what is no number (nan) pass. */
-CLI::Validator numberIn(double least, double most)
-{
-  const std::string range = CLI::detail::to_string(least) + " to " + CLI::detail::to_string(most);
-  return CLI::Validator(
-      [least, most, range](std::string &text) {
-        double value = 0.;
-        const bool isGood = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
-        return isGood ? std::string() : "\"" + text + "\" is not a number from " + range;
-      },
-      range);
-}
-
 void addOptions(CLI::App &app, Settings &settings)
 {
   app.add_option("--output", settings.output, "Folder to write to; made unless it is there")->required();
@@ -95,19 +64,12 @@ Request parseCommandLine(int argc, const char *const argv[])
       "the CPU times. Of AprilTag's pose methods HOMOGRAPHY_VIRTUAL_VS, ViSP's default, does best here: with seed 1\n"
       "and 30 frames in each cell it takes the mirrored solution in 10 frames, the others in 12 to 45, and its mean\n"
       "errors are the smallest.");
-  try {
-    std::vector<std::string> reversed = reversedArguments(argc, argv);
-    app.parse(reversed);
-    if (settings.output.empty()) {
-      throw UsageError("--output is empty; name a folder");
-    }
-    return Request{settings, ""};
-  }
-  catch (const CLI::CallForHelp &) {
+  if (!parse(app, argc, argv)) {
     return Request{std::nullopt, app.help()};
   }
-  catch (const CLI::ParseError &e) {
-    throw UsageError(std::string(e.what()) + "; see --help");
+  if (settings.output.empty()) {
+    throw UsageError("--output is empty; name a folder");
   }
+  return Request{settings, ""};
 }
 } // namespace compare

@@ -19,19 +19,12 @@
 #define VP_COMPARE_COMMAND_LINE_H
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "experiment.h"
 
 namespace compare {
 /*! Arguments that cannot be obeyed: what is wrong and what to do. */
-class UsageError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
 /*! What the command line asks for: a comparison, or the help to show. */
 struct Request
 {

@@ -23,14 +23,13 @@
 #include <cstdint>
 #include <string>
 
-#include <visp3/circle_marker/vpConfigCircleMarker.h>
-#include <visp3/core/vpCameraParameters.h>
-
-#ifdef ENABLE_VISP_NAMESPACE
-using namespace VISP_NAMESPACE_NAME;
-#endif
+#include "common/detectors.h"
+#include "common/footprint.h"
+#include "common/reference_camera.h"
 
 namespace compare {
+using namespace common;
+
 /*! A range of poses, as in the columns of the thesis's table 5.6. */
 struct Cell
 {
@@ -62,43 +61,26 @@ constexpr std::size_t indexOf(Method method)
   return static_cast<std::size_t>(method);
 }
 
-/*! The reference camera of this project. */
-constexpr unsigned int imageWidth = 1280;
-constexpr unsigned int imageHeight = 960;
-constexpr double focalLength = 1600; // Pixels: an angle of view of 43.6 by 33.4 degrees.
-
-inline vpCameraParameters referenceCamera()
-{
-  return vpCameraParameters(focalLength, focalLength, 0.5 * (imageWidth - 1), 0.5 * (imageHeight - 1));
-}
-
-/*! AprilTag's image origin is the corner of the first pixel, ViSP's its centre: what AprilTag measures lies there. */
-inline vpCameraParameters halfPixelCamera()
-{
-  return vpCameraParameters(focalLength, focalLength, 0.5 * imageWidth, 0.5 * imageHeight);
-}
-
 constexpr const char *circleFamily = "golay23";
 constexpr int circleIds = 178;
 constexpr const char *tagFamily = "36h11";
-constexpr int tagIds = 10; // Those the simulated camera knows.
 
 /*! What the command line fixes. */
 struct Settings
 {
-  std::string output;                            //!< Folder.
-  unsigned int frames = 100;                     //!< Of each cell.
-  std::uint64_t seed = 1;                        //!< Of poses, ids and noise.
-  unsigned int threads = 1;                      //!< More than one disturb the CPU times.
-  double size = 0.18;                            //!< Outer diameter of the circle's ring, metres.
-  double noise = 2.;                             //!< Standard deviation, grey levels.
-  double blur = 0.7;                             //!< Standard deviation, pixels.
-  std::string tagPose = "HOMOGRAPHY_VIRTUAL_VS"; //!< One of tagPoseMethods(); the most accurate, see --help.
+  std::string output;                //!< Folder.
+  unsigned int frames = 100;         //!< Of each cell.
+  std::uint64_t seed = 1;            //!< Of poses, ids and noise.
+  unsigned int threads = 1;          //!< More than one disturb the CPU times.
+  double size = defaultRing;         //!< Outer diameter of the circle's ring, metres.
+  double noise = 2.;                 //!< Standard deviation, grey levels.
+  double blur = 0.7;                 //!< Standard deviation, pixels.
+  std::string tagPose = bestTagPose; //!< One of tagPoseMethods(); the most accurate, see --help.
 
-  /*! Side of both markers' square sheet, metres: the ring and a quiet zone of R/6. */
-  double sheetSide() const { return size * (1. + 1. / 6.); }
-  /*! Side of the tag's black square, metres: 8 of the 10 cells that fill the sheet. */
-  double tagSize() const { return 0.8 * sheetSide(); }
+  /*! Side of both markers' square sheet, metres. */
+  double sheetSide() const { return sheetOfRing(size); }
+  /*! Side of the tag's black square, metres. */
+  double tagSize() const { return tagOnSheet(sheetSide()); }
 };
 } // namespace compare
 

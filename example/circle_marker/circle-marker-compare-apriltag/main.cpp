@@ -21,13 +21,13 @@
   camera and noise.
 */
 
-#include <exception>
 #include <iostream>
 
 #include "command_line.h"
-#include "files.h"
+#include "common/files.h"
+#include "common/progress.h"
+#include "common/run_program.h"
 #include "plots.h"
-#include "progress.h"
 #include "report.h"
 #include "summary.h"
 #include "trial.h"
@@ -56,8 +56,7 @@ void carryOut(const Settings &settings)
 
 int main(int argc, const char *argv[])
 {
-  const std::string name = "circle-marker-compare-apriltag";
-  try {
+  return runProgram("circle-marker-compare-apriltag", [argc, argv]() {
     const Request request = parseCommandLine(argc, argv);
     if (request.settings) {
       carryOut(*request.settings);
@@ -66,13 +65,5 @@ int main(int argc, const char *argv[])
       std::cout << request.help;
     }
     return 0;
-  }
-  catch (const UsageError &e) {
-    std::cerr << name << ": " << e.what() << std::endl;
-    return 2;
-  }
-  catch (const std::exception &e) {
-    std::cerr << name << ": " << e.what() << std::endl;
-    return 1;
-  }
+  });
 }

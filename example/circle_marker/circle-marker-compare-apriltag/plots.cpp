@@ -18,11 +18,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iomanip>
 #include <sstream>
 
 #include <visp3/core/vpMath.h>
 
+#include "common/gnuplot.h"
 #include "plots.h"
 #include "summary.h"
 
@@ -69,25 +69,13 @@ std::vector<Trial> chosen(const std::vector<Trial> &trials, const Filter &filter
   return result;
 }
 
-/*! A data block of gnuplot; an empty one would be an error, so it then holds a point that is not drawn. */
-std::string block(const std::string &name, const std::vector<std::array<double, 2>> &points)
-{
-  std::ostringstream out;
-  out << std::setprecision(6) << '$' << name << " << EOD\n";
-  for (const auto &point : points) {
-    out << point[0] << ' ' << point[1] << '\n';
-  }
-  out << (points.empty() ? "NaN NaN\n" : "") << "EOD\n";
-  return out.str();
-}
-
 std::string scatter(const std::string &name, const std::vector<Trial> &trials, const Value &x, const Value &y)
 {
-  std::vector<std::array<double, 2>> points;
+  Points points;
   for (const Trial &trial : trials) {
     points.push_back({x(trial), y(trial)});
   }
-  return block(name, points);
+  return dataBlock(name, points);
 }
 
 /*! The medians of x and of `summary` over the trials of each bin of x that holds enough of them. */
@@ -95,7 +83,7 @@ std::string binned(const std::string &name, const std::vector<Trial> &trials, co
                    std::size_t least, const Value &x, const Value &y,
                    const std::function<double(const Statistics &)> &summary)
 {
-  std::vector<std::array<double, 2>> points;
+  Points points;
   for (std::size_t bin = 0; bin + 1 < bins.size(); ++bin) {
     const std::vector<Trial> inside =
         chosen(trials, [&](const Trial &trial) { return x(trial) >= bins[bin] && x(trial) < bins[bin + 1]; });
@@ -110,7 +98,7 @@ std::string binned(const std::string &name, const std::vector<Trial> &trials, co
     }
     points.push_back({statisticsOf(xs).median, summary(statisticsOf(ys))});
   }
-  return block(name, points);
+  return dataBlock(name, points);
 }
 
 /*! Name of a method's data: gnuplot's names have no hyphens. */
@@ -150,26 +138,6 @@ std::string rateData(const std::vector<Trial> &trials)
   }
   return text;
 }
-
-// Colours that the colour-blind tell apart as well (Okabe and Ito, 2002).
-constexpr const char *commonStyle = R"(
-if (!exists("suffix")) suffix = ""
-set encoding utf8
-set terminal svg size 900,600 font "sans-serif,14" background "white" enhanced
-set grid back linecolor rgb "#dddddd" linetype 1
-set key at screen 0.5, screen 0.015 center bottom maxrows 2 Left reverse width -1
-set bmargin at screen 0.2
-set rmargin at screen 0.96
-set style line 1 linecolor rgb "#0072B2" linewidth 2.5 pointtype 7 pointsize 0.6
-set style line 2 linecolor rgb "#D55E00" linewidth 2.5 pointtype 5 pointsize 0.6
-set style line 3 linecolor rgb "#CC79A7" linewidth 2.5 pointtype 9 pointsize 0.6
-set style line 4 linecolor rgb "#888888" linewidth 2.5 dashtype 2
-set style line 5 linecolor rgb "#0072B2" linewidth 2.5 pointtype 6 pointsize 0.9 dashtype 2
-set style line 6 linecolor rgb "#D55E00" linewidth 2.5 pointtype 4 pointsize 0.9 dashtype 2
-set style line 7 linecolor rgb "#CC79A7" linewidth 2.5 pointtype 8 pointsize 0.9 dashtype 2
-set style line 11 linecolor rgb "#990072B2" pointtype 7 pointsize 0.3
-set style line 12 linecolor rgb "#99D55E00" pointtype 5 pointsize 0.3
-)";
 
 constexpr const char *positionPlot = R"(
 set output "position-error.svg".suffix
@@ -234,7 +202,7 @@ std::string plotScript(const Settings &settings, const std::vector<Trial> &trial
   std::ostringstream out;
   out << "# Draws the plots of circle-marker-compare-apriltag (seed " << settings.seed << ", " << settings.frames
       << " frames in each cell): gnuplot compare.gp\n"
-      << errorData(trials) << rateData(trials) << commonStyle << positionPlot << normalPlot << ratePlot;
+      << errorData(trials) << rateData(trials) << plotStyle << positionPlot << normalPlot << ratePlot;
   return out.str();
 }
 } // namespace compare

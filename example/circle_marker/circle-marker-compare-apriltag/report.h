@@ -34,9 +34,6 @@ std::string jsonOf(const Settings &settings, const Summary &summary);
 
 /*! The statistics for people. */
 std::string tableOf(const Settings &settings, const Summary &summary);
-
-/*! ViSP's version, such as "3.5.0". */
-std::string vispVersion();
 } // namespace compare
 
 #endif

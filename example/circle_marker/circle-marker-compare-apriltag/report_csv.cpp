@@ -82,11 +82,4 @@ std::string csvOf(const Settings &settings, const std::vector<Trial> &trials)
   }
   return out.str();
 }
-
-std::string vispVersion()
-{
-  std::ostringstream out;
-  out << VISP_VERSION_MAJOR << '.' << VISP_VERSION_MINOR << '.' << VISP_VERSION_PATCH;
-  return out.str();
-}
 } // namespace compare

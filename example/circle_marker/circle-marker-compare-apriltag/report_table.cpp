@@ -16,11 +16,10 @@
  */
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <iomanip>
 #include <sstream>
 
+#include "common/numbers.h"
 #include "report.h"
 
 namespace compare {
@@ -29,35 +28,12 @@ constexpr int nameWidth = 22;
 constexpr int tripleWidth = 17; // "0.012 0.123 12345"
 constexpr int shortWidth = 6;
 
-/*! Three digits as a rule, without an exponent: "0.012", "1.23", "12.3", "12345". */
-std::string digits(double value)
-{
-  if (!std::isfinite(value)) {
-    return "-";
-  }
-  const double magnitude = std::fabs(value);
-  const int decimals = magnitude >= 100. ? 0 : magnitude >= 10. ? 1 : magnitude >= 1. ? 2 : 3;
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.*f", decimals, value);
-  return text;
-}
-
 std::string triple(const Statistics &statistics)
 {
   std::ostringstream out;
   out << std::setw(5) << digits(statistics.mean) << ' ' << std::setw(5) << digits(statistics.median) << ' '
       << std::setw(5) << digits(statistics.p95);
   return out.str();
-}
-
-std::string percent(std::size_t part, std::size_t whole)
-{
-  if (whole == 0) {
-    return "-";
-  }
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.1f", 100. * static_cast<double>(part) / static_cast<double>(whole));
-  return text;
 }
 
 /*! One line of columns, after the name. */

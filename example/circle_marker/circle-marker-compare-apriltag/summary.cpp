@@ -18,8 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <numeric>
+#include <iterator>
 
 #include <visp3/core/vpMath.h>
 
@@ -28,14 +27,6 @@
 namespace compare {
 namespace {
 /*! Quantile of ascending numbers, interpolated between neighbours. */
-double quantile(const std::vector<double> &ascending, double share)
-{
-  const double place = share * static_cast<double>(ascending.size() - 1);
-  const std::size_t below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, ascending.size() - 1);
-  return ascending[below] + (place - static_cast<double>(below)) * (ascending[above] - ascending[below]);
-}
-
 using Errors = std::vector<PoseError>;
 
 Statistics over(const Errors &errors, const std::function<double(const PoseError &)> &value)
@@ -88,19 +79,6 @@ MethodSummary methodSummaryOf(const std::vector<Trial> &trials, std::size_t meth
   return summary;
 }
 } // namespace
-
-Statistics statisticsOf(std::vector<double> values)
-{
-  if (values.empty()) {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    return {none, none, none, none};
-  }
-  std::sort(values.begin(), values.end());
-  const double count = static_cast<double>(values.size());
-  const double sum = std::accumulate(values.begin(), values.end(), 0.);
-  const double squares = std::inner_product(values.begin(), values.end(), values.begin(), 0.);
-  return {sum / count, quantile(values, 0.5), quantile(values, 0.95), std::sqrt(squares / count)};
-}
 
 Summary summaryOf(const std::vector<Trial> &trials)
 {

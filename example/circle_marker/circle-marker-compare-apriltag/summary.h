@@ -22,18 +22,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "common/statistics.h"
 #include "experiment.h"
 #include "trial.h"
 
 namespace compare {
 /*! Statistics of a list of numbers; not a number if the list is empty. */
-struct Statistics
-{
-  double mean, median, p95, rms;
-};
-
-Statistics statisticsOf(std::vector<double> values);
-
 /*! Errors of one method over a set of frames, all of which it found. */
 struct ErrorSummary
 {

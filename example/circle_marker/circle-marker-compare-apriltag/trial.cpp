@@ -15,16 +15,13 @@
  * One pose, seen once with each marker and measured with each method.
  */
 
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
+#include <memory>
 
 #include <visp3/circle_marker_simulator/vpMarkerSceneSimulator.h>
 #include <visp3/circle_marker_simulator/vpRandomMarkerPose.h>
 #include <visp3/core/vpMath.h>
 
-#include "detectors.h"
+#include "common/seeds.h"
 #include "trial.h"
 
 namespace compare {
@@ -38,15 +35,6 @@ enum class Draw : std::uint64_t
   CircleNoise,
   TagNoise
 };
-
-/*! Mixes a number into a seed: the generator of Steele, Lea and Flood (2014), one step. */
-std::uint64_t mixed(std::uint64_t seed, std::uint64_t number)
-{
-  std::uint64_t z = seed + 0x9E3779B97F4A7C15 * (number + 1);
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
-  return z ^ (z >> 31);
-}
 
 /*! The seeds of a trial. */
 class Seeds
@@ -65,8 +53,9 @@ class Laboratory
 {
 public:
   explicit Laboratory(const Settings &settings)
-      : m_settings(settings), m_camera(referenceCamera(), imageWidth, imageHeight), m_circle(settings),
-        m_tag1(settings, 1.f), m_tag2(settings, 2.f)
+      : m_settings(settings), m_camera(referenceCamera(), imageWidth, imageHeight),
+        m_circle(vpCircleMarkerFamily::fromName(circleFamily), settings.size, referenceCamera()),
+        m_tag1(settings.tagSize(), settings.tagPose, 1.f), m_tag2(settings.tagSize(), settings.tagPose, 2.f)
   {
     vpScenePhotometry photometry;
     photometry.noiseSigma = settings.noise;
@@ -136,41 +125,16 @@ private:
 std::vector<Trial> makeTrials(const Settings &settings, const Progress &progress)
 {
   std::vector<Trial> trials(cells.size() * settings.frames);
-  std::atomic<std::size_t> next(0);
-  std::size_t done = 0;
-  std::exception_ptr failure;
-  std::mutex mutex;
-
-  const auto work = [&]() {
-    try {
-      Laboratory laboratory(settings);
-      for (std::size_t i = next++; i < trials.size(); i = next++) {
-        // Frame by frame through the cells, which differ in the time they take: so the time left can be told.
-        const std::size_t cell = i % cells.size();
-        const std::size_t frame = i / cells.size();
-        trials[cell * settings.frames + frame] = laboratory.makeTrial(cell, static_cast<unsigned int>(frame));
-        const std::lock_guard<std::mutex> lock(mutex);
-        progress(++done, trials.size());
-      }
-    }
-    catch (...) {
-      const std::lock_guard<std::mutex> lock(mutex);
-      failure = std::current_exception();
-      next = trials.size();
-    }
+  const auto makeWorker = [&]() {
+    const auto laboratory = std::make_shared<Laboratory>(settings);
+    return [&, laboratory](std::size_t item) {
+      // Frame by frame through the cells, which differ in the time they take: so the time left can be told.
+      const std::size_t cell = item % cells.size();
+      const std::size_t frame = item / cells.size();
+      trials[cell * settings.frames + frame] = laboratory->makeTrial(cell, static_cast<unsigned int>(frame));
+    };
   };
-
-  std::vector<std::thread> helpers;
-  for (unsigned int i = 1; i < settings.threads; ++i) {
-    helpers.emplace_back(work);
-  }
-  work();
-  for (std::thread &helper : helpers) {
-    helper.join();
-  }
-  if (failure) {
-    std::rethrow_exception(failure);
-  }
+  forEachItem(trials.size(), settings.threads, makeWorker, progress);
   return trials;
 }
 } // namespace compare

@@ -22,14 +22,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include <visp3/core/vpHomogeneousMatrix.h>
 
+#include "common/parallel.h"
+#include "common/pose_error.h"
 #include "experiment.h"
-#include "pose_error.h"
 
 namespace compare {
 /*! What a method made of one frame. */
@@ -59,9 +59,6 @@ struct Trial
                        [](const Measurement &measurement) { return measurement.error.has_value(); });
   }
 };
-
-/*! Told how many trials are done, of how many; from one thread at a time. */
-using Progress = std::function<void(std::size_t done, std::size_t all)>;
 
 /*!
   Makes all trials. Each has a seed of its own, made of the settings' seed, its cell and its number: the outcome, but

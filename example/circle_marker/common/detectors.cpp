@@ -25,8 +25,9 @@
 #include <visp3/detection/vpDetectorAprilTag.h>
 
 #include "detectors.h"
+#include "reference_camera.h"
 
-namespace compare {
+namespace common {
 namespace {
 /*! CPU time of this thread, seconds; of the process where the system does not tell threads apart. */
 double cpuTime()
@@ -53,8 +54,8 @@ unsigned int tooMany(const std::optional<std::size_t> &place, const std::vector<
 }
 } // namespace
 
-CircleDetector::CircleDetector(const Settings &settings)
-    : m_size(settings.size), m_detector(vpCircleMarkerFamily::fromName(circleFamily))
+CircleDetector::CircleDetector(const vpCircleMarkerFamily &family, double size, const vpCameraParameters &cam)
+    : m_size(size), m_cam(cam), m_detector(family)
 {
   m_detector.setZAlignedWithCameraAxis(true);
   m_detector.setNbThreads(1);
@@ -65,12 +66,14 @@ Sighting CircleDetector::look(const vpImage<unsigned char> &I, int id)
   Sighting sighting;
   std::vector<vpHomogeneousMatrix> poses;
   const double start = cpuTime();
-  m_detector.detect(I, m_size, referenceCamera(), poses);
+  m_detector.detect(I, m_size, m_cam, poses);
   sighting.cpuTime = cpuTime() - start;
   const std::vector<int> ids = m_detector.getTagsId();
   const auto place = placeOf(id, ids);
+  m_last.reset();
   if (place) {
     sighting.cMo = poses[*place];
+    m_last = m_detector.getDetections()[*place];
   }
   sighting.wrongIds = tooMany(place, ids);
   return sighting;
@@ -110,8 +113,8 @@ vpDetectorAprilTag::vpPoseEstimationMethod poseMethodOf(const std::string &name)
 class AprilTagDetector::Impl
 {
 public:
-  Impl(const Settings &settings, float decimation)
-      : m_size(settings.tagSize()), m_detector(vpDetectorAprilTag::TAG_36h11, poseMethodOf(settings.tagPose))
+  Impl(double size, const std::string &poseMethod, float decimation)
+      : m_size(size), m_detector(vpDetectorAprilTag::TAG_36h11, poseMethodOf(poseMethod))
   {
     m_detector.setAprilTagQuadDecimate(decimation);
     m_detector.setAprilTagNbThreads(1);
@@ -153,7 +156,8 @@ private:
   vpDetectorAprilTag m_detector; //!< ViSP's detector.
 };
 
-AprilTagDetector::AprilTagDetector(const Settings &settings, float decimation) : m_impl(new Impl(settings, decimation))
+AprilTagDetector::AprilTagDetector(double size, const std::string &poseMethod, float decimation)
+    : m_impl(new Impl(size, poseMethod, decimation))
 {
 }
 
@@ -177,7 +181,7 @@ class AprilTagDetector::Impl
 {
 };
 
-AprilTagDetector::AprilTagDetector(const Settings &, float)
+AprilTagDetector::AprilTagDetector(double, const std::string &, float)
 {
   throw vpException(vpException::functionNotImplementedError,
                     "this ViSP was built without AprilTag; build it with WITH_APRILTAG");
@@ -197,4 +201,4 @@ std::vector<std::string> tagPoseMethods()
 
 AprilTagDetector::AprilTagDetector(AprilTagDetector &&) noexcept = default;
 AprilTagDetector::~AprilTagDetector() = default;
-} // namespace compare
+} // namespace common

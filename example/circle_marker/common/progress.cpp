@@ -25,7 +25,7 @@
 
 #include "progress.h"
 
-namespace compare {
+namespace common {
 namespace {
 constexpr std::chrono::milliseconds pause(250); // Between two writings.
 constexpr const char *emptyLine = "\r                                                            \r";
@@ -61,4 +61,4 @@ void ProgressLine::show(std::size_t done, std::size_t all)
   std::cerr << emptyLine << done << " of " << all << " frames, " << static_cast<long>(left + 0.5) << " s left"
             << std::flush;
 }
-} // namespace compare
+} // namespace common

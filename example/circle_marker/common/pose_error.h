@@ -15,14 +15,14 @@
  * Errors of a pose against the truth.
  */
 
-#ifndef VP_COMPARE_POSE_ERROR_H
-#define VP_COMPARE_POSE_ERROR_H
+#ifndef VP_COMMON_POSE_ERROR_H
+#define VP_COMMON_POSE_ERROR_H
 
 #include <visp3/core/vpHomogeneousMatrix.h>
 
-#include "experiment.h"
+#include "visp_names.h"
 
-namespace compare {
+namespace common {
 /*! Errors of a pose; the marker's normal is its z axis, its centre the origin of its frame. */
 struct PoseError
 {
@@ -40,6 +40,6 @@ double distanceOf(const vpHomogeneousMatrix &cMo);
 
 /*! Angle between the marker's normal and the line of sight to its centre, radians. */
 double tiltOf(const vpHomogeneousMatrix &cMo);
-} // namespace compare
+} // namespace common
 
 #endif

@@ -15,8 +15,8 @@
  * The detectors that are compared, as a user calls them.
  */
 
-#ifndef VP_COMPARE_DETECTORS_H
-#define VP_COMPARE_DETECTORS_H
+#ifndef VP_COMMON_DETECTORS_H
+#define VP_COMMON_DETECTORS_H
 
 #include <memory>
 #include <optional>
@@ -24,12 +24,13 @@
 #include <vector>
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
+#include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpHomogeneousMatrix.h>
 #include <visp3/core/vpImage.h>
 
-#include "experiment.h"
+#include "visp_names.h"
 
-namespace compare {
+namespace common {
 /*! What a detector made of an image with one marker. */
 struct Sighting
 {
@@ -42,32 +43,40 @@ struct Sighting
 class CircleDetector
 {
 public:
-  explicit CircleDetector(const Settings &settings);
+  /*! \param size : Outer diameter of the ring, metres. */
+  CircleDetector(const vpCircleMarkerFamily &family, double size, const vpCameraParameters &cam);
 
-  /*! Looks for the marker of an id. */
+  /*! Looks for the marker of an id, -1 in a family without code. */
   Sighting look(const vpImage<unsigned char> &I, int id);
 
+  /*! All the detector knows of the marker that was found last, if it was. */
+  const std::optional<vpCircleMarkerDetection> &last() const { return m_last; }
+
 private:
-  double m_size;                     //!< Outer diameter of the ring, metres.
-  vpDetectorCircleMarker m_detector; //!< Settings and working memory.
+  double m_size;                                 //!< Outer diameter of the ring, metres.
+  vpCameraParameters m_cam;                      //!< Camera.
+  std::optional<vpCircleMarkerDetection> m_last; //!< Of the last image.
+  vpDetectorCircleMarker m_detector;             //!< Settings and working memory.
 };
 
-/*! What vpDetectorAprilTag makes of an image: with the camera as it is, and corrected by half a pixel. */
+/*! What vpDetectorAprilTag makes of an image: with the reference camera as it is, and corrected by half a pixel. */
 struct AprilTagSightings
 {
   Sighting asDelivered, halfPixel;
 };
 
-/*! ViSP's AprilTag detector. Not to be used by two threads at once. */
+/*! ViSP's detector of AprilTag 36h11, behind the reference camera. Not to be used by two threads at once. */
 class AprilTagDetector
 {
 public:
   /*!
+    \param size : Side of the black square, metres.
+    \param poseMethod : One of tagPoseMethods().
     \param decimation : 1, or 2 for the search at half the image's size.
     \exception vpException::functionNotImplementedError : If ViSP was built without AprilTag.
     \exception vpException::badValue : If the pose method is not known.
   */
-  AprilTagDetector(const Settings &settings, float decimation);
+  AprilTagDetector(double size, const std::string &poseMethod, float decimation);
   AprilTagDetector(AprilTagDetector &&) noexcept;
   ~AprilTagDetector();
 
@@ -79,8 +88,11 @@ private:
   std::unique_ptr<Impl> m_impl; //!< ViSP's detector, where there is one.
 };
 
+/*! The most accurate of ViSP's ways from a tag's corners to its pose: see circle-marker-compare-apriltag --help. */
+constexpr const char *bestTagPose = "HOMOGRAPHY_VIRTUAL_VS";
+
 /*! The names of ViSP's ways from a tag's corners to its pose; empty if ViSP was built without AprilTag. */
 std::vector<std::string> tagPoseMethods();
-} // namespace compare
+} // namespace common
 
 #endif

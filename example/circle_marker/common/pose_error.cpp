@@ -22,7 +22,7 @@
 
 #include "pose_error.h"
 
-namespace compare {
+namespace common {
 namespace {
 vpColVector centerOf(const vpHomogeneousMatrix &cMo)
 {
@@ -95,4 +95,4 @@ double tiltOf(const vpHomogeneousMatrix &cMo)
 {
   return angleBetween(normalOf(cMo), centerOf(cMo) / distanceOf(cMo));
 }
-} // namespace compare
+} // namespace common

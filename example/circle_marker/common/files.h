@@ -15,13 +15,13 @@
  * Files that appear whole or not at all, and gnuplot.
  */
 
-#ifndef VP_COMPARE_FILES_H
-#define VP_COMPARE_FILES_H
+#ifndef VP_COMMON_FILES_H
+#define VP_COMMON_FILES_H
 
 #include <string>
 #include <vector>
 
-namespace compare {
+namespace common {
 /*!
   Makes a folder unless it is there, and tries whether it can be written to.
   \exception std::runtime_error : If it cannot: why, and what to do.
@@ -41,6 +41,6 @@ void writeWhole(const std::string &folder, const std::string &name, const std::s
   \exception std::runtime_error : If gnuplot is missing or fails.
 */
 void drawPlots(const std::string &folder, const std::string &script, const std::vector<std::string> &plots);
-} // namespace compare
+} // namespace common
 
 #endif

@@ -15,13 +15,13 @@
  * A line on the terminal that tells how far the work is.
  */
 
-#ifndef VP_COMPARE_PROGRESS_H
-#define VP_COMPARE_PROGRESS_H
+#ifndef VP_COMMON_PROGRESS_H
+#define VP_COMMON_PROGRESS_H
 
 #include <chrono>
 #include <cstddef>
 
-namespace compare {
+namespace common {
 /*! Writes to the standard error if it is a terminal, and not more often than a reader can follow. */
 class ProgressLine
 {
@@ -41,6 +41,6 @@ private:
   Clock::time_point m_start; //!< When the work began.
   Clock::time_point m_last;  //!< When the line was last written.
 };
-} // namespace compare
+} // namespace common
 
 #endif

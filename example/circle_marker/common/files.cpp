@@ -26,7 +26,7 @@
 
 #include "files.h"
 
-namespace compare {
+namespace common {
 namespace {
 namespace fs = std::filesystem;
 
@@ -120,4 +120,4 @@ void drawPlots(const std::string &folder, const std::string &script, const std::
                              " to see why");
   }
 }
-} // namespace compare
+} // namespace common
