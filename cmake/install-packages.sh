@@ -27,7 +27,7 @@ for use in "$@"; do
   case $use in
     # The libraries and the programs, and gnuplot, which the programs draw their curves with.
     build) packages+=(build-essential cmake pkg-config libvisp-dev libeigen3-dev libopencv-dev libcairo2-dev
-                      libcli11-dev nlohmann-json3-dev gnuplot-nox) ;;
+                      libcli11-dev nlohmann-json3-dev gnuplot-nox libbenchmark-dev) ;;
     # GoogleTest; poppler and librsvg read printed sheets back; photographs; a display without a screen.
     test) packages+=(libgtest-dev poppler-utils librsvg2-bin visp-images-data xvfb xauth xdotool) ;;
     # To unpack and build ViSP's own source.

@@ -1,0 +1,102 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Benchmarks of the detector of circular markers, beside others in the same run.
+ */
+
+/*!
+  \example bench-circle-marker/main.cpp
+  Benchmarks of the whole detection and of its rooms, with AprilTag and OpenCV's adaptive threshold in the same run;
+  tables of the ratios, of the reach and of phantoms.
+*/
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <benchmark/benchmark.h>
+
+#include <opencv2/core.hpp>
+
+#include "register.h"
+#include "tables.h"
+
+int main(int argc, char *argv[])
+{
+  const std::string name = "bench-circle-marker";
+  CLI::App app("Benchmarks of the detector of circular markers. Without a table: Google Benchmark, whose options "
+               "(--benchmark_filter=REGEX, --benchmark_list_tests, --benchmark_format=json ...) are passed on.",
+               name);
+  unsigned int ratios = 0;
+  unsigned int reach = 0;
+  unsigned int phantoms = 0;
+  app.add_option("--ratios", ratios, "Table of CPU times beside the others', each looking N times at each frame")
+      ->expected(0, 1)
+      ->default_str("10")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--reach", reach, "Table of the share of markers that are found, on N frames of 20")
+      ->check(CLI::Range(1, 1000000));
+  app.add_option("--phantoms", phantoms, "Table of the markers found in N images that have none")
+      ->check(CLI::Range(1, 1000000));
+  app.allow_extras();
+  try {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::CallForHelp &help) {
+    return app.exit(help);
+  }
+  catch (const CLI::ParseError &e) {
+    std::cerr << name << ": " << e.what() << "; see --help" << std::endl;
+    return 2;
+  }
+  try {
+    cv::setNumThreads(1); // one thread for all; the detector's own threads are its own setting
+    if (ratios > 0) {
+      bench::tellRatios(std::cout, ratios);
+    }
+    if (reach > 0) {
+      bench::tellReach(std::cout, reach);
+    }
+    if (phantoms > 0) {
+      bench::tellPhantoms(std::cout, phantoms);
+    }
+    if (ratios + reach + phantoms > 0) {
+      return 0;
+    }
+    std::vector<std::string> left = {name};
+    for (const std::string &argument : app.remaining()) {
+      if (argument.rfind("--benchmark_", 0) != 0 && argument.rfind("--v=", 0) != 0) {
+        std::cerr << name << ": unknown argument \"" << argument << "\"; see --help" << std::endl;
+        return 2;
+      }
+      left.push_back(argument);
+    }
+    std::vector<char *> arguments;
+    for (std::string &argument : left) {
+      arguments.push_back(argument.data());
+    }
+    int count = static_cast<int>(arguments.size());
+    arguments.push_back(nullptr);
+    bench::registerWholeFrames();
+    bench::registerRooms();
+    benchmark::Initialize(&count, arguments.data());
+    benchmark::RunSpecifiedBenchmarks();
+    return 0;
+  }
+  catch (const std::exception &e) {
+    std::cerr << name << ": " << e.what() << std::endl;
+    return 1;
+  }
+}

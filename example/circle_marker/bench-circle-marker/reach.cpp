@@ -1,0 +1,100 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * How many markers are found and rightly read, by their size in the image.
+ */
+
+#include "tables.h"
+
+#include <array>
+#include <cmath>
+#include <iomanip>
+
+#include <visp3/circle_marker/vpDetectorCircleMarker.h>
+
+#include "scenes.h"
+
+namespace bench {
+namespace {
+// Minor axes of the ring's image, pixels, from which the lines of the table begin.
+constexpr std::array<double, 7> bounds = {0., 8., 10., 13., 17., 25., 40.};
+
+struct Line
+{
+  unsigned int markers = 0;
+  unsigned int found = 0;
+  unsigned int wrong = 0;
+};
+
+// A detection is of a marker if their centres agree to this share of the minor axis.
+constexpr double near = 0.25;
+
+std::size_t lineOf(double minorAxis)
+{
+  std::size_t line = 0;
+  while (line + 1 < bounds.size() && minorAxis >= bounds[line + 1]) {
+    ++line;
+  }
+  return line;
+}
+} // namespace
+
+void tellReach(std::ostream &out, unsigned int frames)
+{
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);
+  out << "| ground | minor axis from, pixels | markers | found and rightly read | wrong id |\n|---|---|---|---|---|\n";
+  unsigned int phantoms = 0;
+  for (const bool clutter : {false, true}) {
+    std::array<Line, bounds.size()> lines;
+    Line all;
+    for (unsigned int frame = 0; frame < (frames + 1) / 2; ++frame) {
+      SceneOptions options;
+      options.markers = 20;
+      options.leastDiameter = 17.;
+      options.greatestDiameter = 60.;
+      options.mostTilt = 75. * M_PI / 180.;
+      options.clutter = clutter;
+      options.seed = 1000 + frame;
+      const Scene scene = makeScene(options);
+      std::vector<vpHomogeneousMatrix> poses;
+      detector.detect(scene.image, markerSize, scene.camera, poses);
+      std::size_t matched = 0;
+      for (const vpMarkerTruth &truth : scene.truth) {
+        const double minorAxis = 2. * truth.ellipse->semiAxisB;
+        Line &line = lines[lineOf(minorAxis)];
+        ++line.markers;
+        ++all.markers;
+        for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
+          if (vpImagePoint::distance(detection.center, truth.center) < near * minorAxis) {
+            ++matched;
+            const bool right = detection.id == truth.id;
+            (right ? line.found : line.wrong) += 1;
+            (right ? all.found : all.wrong) += 1;
+          }
+        }
+      }
+      phantoms += static_cast<unsigned int>(detector.getDetections().size() - matched);
+    }
+    const auto write = [&](const std::string &from, const Line &line) {
+      out << "| " << (clutter ? "clutter" : "plain") << " | " << from << " | " << line.markers << " | " << std::fixed
+          << std::setprecision(2) << 100. * line.found / std::max(line.markers, 1U) << " % | " << line.wrong << " |\n";
+    };
+    for (std::size_t i = 0; i < bounds.size(); ++i) {
+      write(std::to_string(static_cast<int>(bounds[i])), lines[i]);
+    }
+    write("all", all);
+  }
+  out << "Markers found where there is none: " << phantoms << std::endl;
+}
+} // namespace bench

@@ -1,0 +1,145 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Benchmarks of the rooms of the detector, each on its own.
+ */
+
+#include "register.h"
+
+#if defined(CIRCLE_MARKER_HAVE_INTERNALS)
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+#include "scenes.h"
+
+#include "decode/recognise.h"
+#include "ellipse/outlines.h"
+#include "refine/measure.h"
+
+namespace bench {
+namespace {
+using namespace circle_marker;
+
+// What goes from room to room on one frame.
+struct Visit
+{
+  explicit Visit(const SceneOptions &options) : scene(makeScene(options)), camera(scene.camera)
+  {
+    outlines = &findOutlines(scene.image, false, memory);
+    for (const EllipseCandidate &outline : *outlines) {
+      if (const auto poses = posesFromOutline(outline.points, camera, 0.5 * markerSize)) {
+        if (auto marker = recognise(scene.image, camera, *poses, outline, family, settings)) {
+          markers.push_back(std::move(*marker));
+        }
+      }
+    }
+  }
+
+  Scene scene;
+  CameraModel camera;
+  vpCircleMarkerFamily family{vpCircleMarkerFamily::GOLAY23};
+  DecodeSettings settings;
+  OutlineMemory memory;
+  const std::vector<EllipseCandidate> *outlines = nullptr;
+  std::vector<Recognition> markers;
+  std::vector<FitPixel> pixels;
+};
+
+using Room = std::function<void(Visit &)>;
+
+void add(const std::string &name, const std::shared_ptr<std::unique_ptr<Visit>> &visit, const SceneOptions &options,
+         const Room &room)
+{
+  benchmark::RegisterBenchmark(("room/" + name).c_str(), [=](benchmark::State &state) {
+    if (!*visit) {
+      *visit = std::make_unique<Visit>(options);
+    }
+    for (auto _ : state) {
+      room(**visit);
+    }
+    state.counters["chains"] = static_cast<double>((*visit)->memory.full.chains.chains.size());
+    state.counters["outlines"] = static_cast<double>((*visit)->outlines->size());
+    state.counters["markers"] = static_cast<double>((*visit)->markers.size());
+  })->Unit(benchmark::kMillisecond);
+}
+
+void gradient(Visit &visit)
+{
+  computeGradient(visit.scene.image, visit.memory.full.gradient);
+}
+
+void chains(Visit &visit)
+{
+  linkEdgeChains(visit.memory.full.gradient, 14, visit.memory.full.chains);
+}
+
+void ellipses(Visit &visit)
+{
+  findEllipses(visit.scene.image, visit.memory.full.gradient, visit.memory.full.chains, visit.memory.full.candidates);
+}
+
+// All rooms up to the outlines, at both scales.
+void outlines(Visit &visit)
+{
+  visit.outlines = &findOutlines(visit.scene.image, false, visit.memory);
+}
+
+void recogniseAll(Visit &visit)
+{
+  for (const EllipseCandidate &outline : *visit.outlines) {
+    if (const auto poses = posesFromOutline(outline.points, visit.camera, 0.5 * markerSize)) {
+      auto marker = recognise(visit.scene.image, visit.camera, *poses, outline, visit.family, visit.settings);
+      benchmark::DoNotOptimize(marker);
+    }
+  }
+}
+
+void measureAll(Visit &visit)
+{
+  for (const Recognition &marker : visit.markers) {
+    auto measured = measure(visit.scene.image, visit.camera, marker, true, visit.pixels);
+    benchmark::DoNotOptimize(measured);
+  }
+}
+} // namespace
+
+void registerRooms()
+{
+  SceneOptions plain;
+  SceneOptions clutter;
+  clutter.markers = 5;
+  clutter.clutter = true;
+  for (const auto &[name, options] : {std::pair<std::string, SceneOptions>("plain", plain), {"clutter", clutter}}) {
+    const auto visit = std::make_shared<std::unique_ptr<Visit>>();
+    add("gradient/" + name, visit, options, gradient);
+    add("chains/" + name, visit, options, chains);
+    add("ellipses/" + name, visit, options, ellipses);
+    add("outlines/" + name, visit, options, outlines);
+    add("recognise/" + name, visit, options, recogniseAll);
+    add("measure/" + name, visit, options, measureAll);
+  }
+}
+} // namespace bench
+
+#else
+
+namespace bench {
+void registerRooms() {}
+} // namespace bench
+
+#endif

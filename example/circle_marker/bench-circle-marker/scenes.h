@@ -1,0 +1,77 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Images to measure detectors on: markers on plain and cluttered grounds, and images made to be hard.
+ */
+
+#ifndef VP_BENCH_SCENES_H
+#define VP_BENCH_SCENES_H
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <visp3/core/vpCameraParameters.h>
+#include <visp3/core/vpImage.h>
+#include <visp3/circle_marker_simulator/vpMarkerSceneSimulator.h>
+
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
+
+namespace bench {
+/*! Outer diameter of the markers' rings, metres. */
+constexpr double markerSize = 0.18;
+
+/*! What a frame shows. */
+struct SceneOptions
+{
+  unsigned int width = 1280;      //!< Pixels.
+  unsigned int height = 960;      //!< Pixels.
+  std::string family = "golay23"; //!< Of the markers.
+  unsigned int markers = 1;       //!< How many.
+  double leastDiameter = 60.;     //!< Outer diameter of a ring in the image before its tilt, pixels: from this
+  double greatestDiameter = 160.; //!< ... to this.
+  double mostTilt = 1.0472;       //!< Angle between normal and line of sight: from 0 to this, rad.
+  bool clutter = false;           //!< Polygons, discs, rings, lines: 120 on 1.2 million pixels; or plain grey.
+  double noise = 2.;              //!< Standard deviation of the pixels' noise, grey levels.
+  std::uint64_t seed = 1;         //!< The same seed gives the same frame.
+};
+
+/*! A frame and what is true of it. */
+struct Scene
+{
+  vpImage<unsigned char> image;
+  vpCameraParameters camera;
+  std::vector<vpMarkerTruth> truth;
+};
+
+/*! The frame of the options: markers in the cells of a grid, with random positions in them, tilts and spins. */
+Scene makeScene(const SceneOptions &options);
+
+/*! Names that makeHardImage() knows. */
+std::vector<std::string> hardImages();
+
+/*!
+  An image without markers that is made to be hard.
+  \param name : One of hardImages().
+  \param width, height : Size, pixels.
+  \param seed : Of what is random in it.
+  \exception vpException::badValue : If the name is not known.
+*/
+vpImage<unsigned char> makeHardImage(const std::string &name, unsigned int width, unsigned int height,
+                                     std::uint64_t seed = 1);
+} // namespace bench
+
+#endif
