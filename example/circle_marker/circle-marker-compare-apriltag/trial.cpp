@@ -54,7 +54,7 @@ class Laboratory
 public:
   explicit Laboratory(const Settings &settings)
       : m_settings(settings), m_camera(referenceCamera(), imageWidth, imageHeight),
-        m_circle(vpCircleMarkerFamily::fromName(circleFamily), settings.size, referenceCamera()),
+        m_circle(vpCircleMarkerFamily::fromName(circleFamily), settings.size),
         m_tag1(settings.tagSize(), settings.tagPose, 1.f), m_tag2(settings.tagSize(), settings.tagPose, 2.f)
   {
     vpScenePhotometry photometry;
@@ -82,15 +82,15 @@ public:
     trial.cMo = vpRandomMarkerPose(circle, referenceCamera(), imageWidth, imageHeight, range, seeds.of(Draw::Pose));
 
     photograph(circle, trial.cMo, seeds.of(Draw::CircleNoise));
-    record(m_circle.look(m_image, trial.circleId), Method::Circle, trial);
+    record(m_circle.look(m_image, m_camera.getCameraParameters(), trial.circleId), Method::Circle, trial);
 
     vpSimulatedMarker tag = vpSimulatedMarker::aprilTag36h11(trial.tagId, m_settings.tagSize());
     tag.setSheetSide(m_settings.sheetSide());
     photograph(tag, trial.cMo, seeds.of(Draw::TagNoise));
-    const AprilTagSightings whole = m_tag1.look(m_image, trial.tagId);
+    const AprilTagSightings whole = m_tag1.look(m_image, m_camera.getCameraParameters(), trial.tagId);
     record(whole.asDelivered, Method::AprilTag1, trial);
     record(whole.halfPixel, Method::AprilTag1HalfPixel, trial);
-    const AprilTagSightings decimated = m_tag2.look(m_image, trial.tagId);
+    const AprilTagSightings decimated = m_tag2.look(m_image, m_camera.getCameraParameters(), trial.tagId);
     record(decimated.asDelivered, Method::AprilTag2, trial);
     record(decimated.halfPixel, Method::AprilTag2HalfPixel, trial);
     return trial;

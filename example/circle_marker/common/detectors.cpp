@@ -54,19 +54,18 @@ unsigned int tooMany(const std::optional<std::size_t> &place, const std::vector<
 }
 } // namespace
 
-CircleDetector::CircleDetector(const vpCircleMarkerFamily &family, double size, const vpCameraParameters &cam)
-    : m_size(size), m_cam(cam), m_detector(family)
+CircleDetector::CircleDetector(const vpCircleMarkerFamily &family, double size) : m_size(size), m_detector(family)
 {
   m_detector.setZAlignedWithCameraAxis(true);
   m_detector.setNbThreads(1);
 }
 
-Sighting CircleDetector::look(const vpImage<unsigned char> &I, int id)
+Sighting CircleDetector::look(const vpImage<unsigned char> &I, const vpCameraParameters &cam, int id)
 {
   Sighting sighting;
   std::vector<vpHomogeneousMatrix> poses;
   const double start = cpuTime();
-  m_detector.detect(I, m_size, m_cam, poses);
+  m_detector.detect(I, m_size, cam, poses);
   sighting.cpuTime = cpuTime() - start;
   const std::vector<int> ids = m_detector.getTagsId();
   const auto place = placeOf(id, ids);
@@ -121,7 +120,7 @@ public:
     m_detector.setZAlignedWithCameraAxis(true);
   }
 
-  AprilTagSightings look(const vpImage<unsigned char> &I, int id)
+  AprilTagSightings look(const vpImage<unsigned char> &I, const vpCameraParameters &cam, int id)
   {
     const double start = cpuTime();
     m_detector.detect(I);
@@ -134,8 +133,8 @@ public:
     none.wrongIds = tooMany(place, ids);
     AprilTagSightings sightings = {none, none};
     if (place) {
-      addPose(*place, referenceCamera(), sightings.asDelivered);
-      addPose(*place, halfPixelCamera(), sightings.halfPixel);
+      addPose(*place, cam, sightings.asDelivered);
+      addPose(*place, halfPixelCamera(cam), sightings.halfPixel);
     }
     return sightings;
   }
@@ -161,9 +160,9 @@ AprilTagDetector::AprilTagDetector(double size, const std::string &poseMethod, f
 {
 }
 
-AprilTagSightings AprilTagDetector::look(const vpImage<unsigned char> &I, int id)
+AprilTagSightings AprilTagDetector::look(const vpImage<unsigned char> &I, const vpCameraParameters &cam, int id)
 {
-  return m_impl->look(I, id);
+  return m_impl->look(I, cam, id);
 }
 
 std::vector<std::string> tagPoseMethods()
@@ -187,7 +186,7 @@ AprilTagDetector::AprilTagDetector(double, const std::string &, float)
                     "this ViSP was built without AprilTag; build it with WITH_APRILTAG");
 }
 
-AprilTagSightings AprilTagDetector::look(const vpImage<unsigned char> &, int)
+AprilTagSightings AprilTagDetector::look(const vpImage<unsigned char> &, const vpCameraParameters &, int)
 {
   return AprilTagSightings();
 }

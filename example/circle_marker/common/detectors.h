@@ -44,28 +44,30 @@ class CircleDetector
 {
 public:
   /*! \param size : Outer diameter of the ring, metres. */
-  CircleDetector(const vpCircleMarkerFamily &family, double size, const vpCameraParameters &cam);
+  CircleDetector(const vpCircleMarkerFamily &family, double size);
 
   /*! Looks for the marker of an id, -1 in a family without code. */
-  Sighting look(const vpImage<unsigned char> &I, int id);
+  Sighting look(const vpImage<unsigned char> &I, const vpCameraParameters &cam, int id);
 
-  /*! All the detector knows of the marker that was found last, if it was. */
+  /*! All the detector knows of the marker that it looked for last, if it found it. */
   const std::optional<vpCircleMarkerDetection> &last() const { return m_last; }
+
+  /*! Ellipses of the last image that might have been a ring. */
+  unsigned int outlines() const { return m_detector.getNbOutlines(); }
 
 private:
   double m_size;                                 //!< Outer diameter of the ring, metres.
-  vpCameraParameters m_cam;                      //!< Camera.
   std::optional<vpCircleMarkerDetection> m_last; //!< Of the last image.
   vpDetectorCircleMarker m_detector;             //!< Settings and working memory.
 };
 
-/*! What vpDetectorAprilTag makes of an image: with the reference camera as it is, and corrected by half a pixel. */
+/*! What vpDetectorAprilTag makes of an image: with the camera as it is, and corrected by half a pixel. */
 struct AprilTagSightings
 {
   Sighting asDelivered, halfPixel;
 };
 
-/*! ViSP's detector of AprilTag 36h11, behind the reference camera. Not to be used by two threads at once. */
+/*! ViSP's detector of AprilTag 36h11. Not to be used by two threads at once. */
 class AprilTagDetector
 {
 public:
@@ -81,7 +83,7 @@ public:
   ~AprilTagDetector();
 
   /*! Looks for the marker of an id. The image is searched once; each pose is charged with the whole search. */
-  AprilTagSightings look(const vpImage<unsigned char> &I, int id);
+  AprilTagSightings look(const vpImage<unsigned char> &I, const vpCameraParameters &cam, int id);
 
 private:
   class Impl;

@@ -27,7 +27,8 @@
 
 namespace common {
 namespace {
-constexpr std::chrono::milliseconds pause(250); // Between two writings.
+constexpr std::chrono::milliseconds pause(250);      // Between two writings on a terminal.
+constexpr std::chrono::milliseconds logPause(30000); // Between two lines in a log: short work leaves none.
 constexpr const char *emptyLine = "\r                                                            \r";
 
 bool errorIsTerminal()
@@ -52,13 +53,13 @@ ProgressLine::~ProgressLine()
 void ProgressLine::show(std::size_t done, std::size_t all)
 {
   const Clock::time_point now = Clock::now();
-  if (!m_isTerminal || now - m_last < pause) {
+  if (now - m_last < (m_isTerminal ? pause : logPause)) {
     return;
   }
   m_last = now;
   const double passed = std::chrono::duration<double>(now - m_start).count();
   const double left = passed * static_cast<double>(all - done) / static_cast<double>(done);
-  std::cerr << emptyLine << done << " of " << all << " frames, " << static_cast<long>(left + 0.5) << " s left"
-            << std::flush;
+  std::cerr << (m_isTerminal ? emptyLine : "") << done << " of " << all << " frames, " << static_cast<long>(left + 0.5)
+            << " s left" << (m_isTerminal ? "" : "\n") << std::flush;
 }
 } // namespace common

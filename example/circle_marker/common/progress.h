@@ -22,7 +22,7 @@
 #include <cstddef>
 
 namespace common {
-/*! Writes to the standard error if it is a terminal, and not more often than a reader can follow. */
+/*! A line of the standard error that is rewritten on a terminal; elsewhere a new line every half minute. */
 class ProgressLine
 {
 public:

@@ -33,10 +33,28 @@ inline vpCameraParameters referenceCamera()
   return vpCameraParameters(focalLength, focalLength, 0.5 * (imageWidth - 1), 0.5 * (imageHeight - 1));
 }
 
-/*! AprilTag's image origin is the corner of the first pixel, ViSP's its centre: what AprilTag measures lies there. */
-inline vpCameraParameters halfPixelCamera()
+/*!
+  AprilTag's image origin is the corner of the first pixel, ViSP's its centre: what AprilTag measures is off by half a
+  pixel, and so is the camera that undoes it.
+*/
+inline vpCameraParameters halfPixelCamera(const vpCameraParameters &cam)
 {
-  return vpCameraParameters(focalLength, focalLength, 0.5 * imageWidth, 0.5 * imageHeight);
+  constexpr double offset = 0.5; // pixels
+  vpCameraParameters shifted;
+  switch (cam.get_projModel()) {
+  case vpCameraParameters::perspectiveProjWithoutDistortion:
+    shifted.initPersProjWithoutDistortion(cam.get_px(), cam.get_py(), cam.get_u0() + offset, cam.get_v0() + offset);
+    break;
+  case vpCameraParameters::perspectiveProjWithDistortion:
+    shifted.initPersProjWithDistortion(cam.get_px(), cam.get_py(), cam.get_u0() + offset, cam.get_v0() + offset,
+                                       cam.get_kud(), cam.get_kdu());
+    break;
+  default:
+    shifted.initProjWithKannalaBrandtDistortion(cam.get_px(), cam.get_py(), cam.get_u0() + offset,
+                                                cam.get_v0() + offset, cam.getKannalaBrandtDistortionCoefficients());
+    break;
+  }
+  return shifted;
 }
 } // namespace common
 

@@ -80,6 +80,7 @@ void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, doubl
   image = I;
   const CameraModel camera(cam);
   const std::vector<EllipseCandidate> &outlines = findOutlines(image, settings.threads > 1, m_outlines);
+  outlineCount = static_cast<unsigned int>(outlines.size());
   std::vector<std::optional<Found>> examined;
   if (settings.threads > 1) {
     examined = examineAll(outlines, size, camera, deadline);

@@ -67,6 +67,14 @@ double vpDetectorCircleMarker::getMargin(size_t index) const
 }
 
 /*!
+  \return Number of ellipses of the last image that might have been a marker's ring, before the codes were read.
+*/
+unsigned int vpDetectorCircleMarker::getNbOutlines() const
+{
+  return m_impl->outlineCount;
+}
+
+/*!
   \return Number of sectors of the code that had to be corrected.
   \exception vpException::badValue : If there is no such marker.
 */

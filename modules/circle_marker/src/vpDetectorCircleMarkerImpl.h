@@ -55,6 +55,7 @@ public:
   std::vector<Found> found;                        //!< Markers of the last image.
   std::vector<vpCircleMarkerDetection> detections; //!< The same, as the user sees them.
   vpImage<unsigned char> image;                    //!< The last image, for getPose().
+  unsigned int outlineCount = 0;                   //!< Outlines of the last image that were looked at.
 
 private:
   std::optional<Found> examine(const circle_marker::EllipseCandidate &outline, double size,

@@ -93,6 +93,7 @@ public:
   double getLogOdds(size_t index) const;
   double getMargin(size_t index) const;
   unsigned int getHammingDistance(size_t index) const;
+  unsigned int getNbOutlines() const;
   std::vector<int> getTagsId() const;
   std::vector<std::vector<vpImagePoint>> getTagsCorners() const;
   std::vector<int> getTagsHammingDistance() const;
