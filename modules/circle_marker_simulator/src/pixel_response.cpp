@@ -78,19 +78,28 @@ void PixelResponse::buildGaussianTables(double sigma)
 {
   m_reach = std::ceil(0.5 + GAUSSIAN_REACH * sigma);
   m_longestPiece = sigma;
-  const int size = static_cast<int>(2. * (m_reach + TABLE_MARGIN)) * SAMPLES + 1;
-  m_density.resize(size);
-  m_cumulative.resize(size);
-  for (int i = 0; i < size; ++i) {
-    const double t = static_cast<double>(i) / SAMPLES - m_reach - TABLE_MARGIN;
-    m_density[i] = normalStep(t + 0.5, sigma) - normalStep(t - 0.5, sigma);
-    m_cumulative[i] = normalRamp(t + 0.5, sigma) - normalRamp(t - 0.5, sigma);
-    if (t <= -m_reach) {
-      m_cumulative[i] = 0.;
-    }
-    else if (t >= m_reach) {
-      m_cumulative[i] = 1.; // exactly, so that nothing is left over to the right of a region
-    }
+  const int half = static_cast<int>(m_reach + TABLE_MARGIN) * SAMPLES;
+  m_density.resize(2 * half + 1);
+  m_cumulative.resize(2 * half + 1);
+  // The Gaussian is even, so one side tells the other; both ends of a pixel lie on the samples. The functions are the
+  // expensive part of a small image, so each is called once for each sample.
+  const int pixel = SAMPLES / 2;
+  std::vector<double> step(half + 2 * pixel + 1);
+  std::vector<double> ramp(half + 2 * pixel + 1);
+  for (int i = 0; i <= half + 2 * pixel; ++i) { // from minus half a pixel
+    const double t = static_cast<double>(i - pixel) / SAMPLES;
+    step[i] = normalStep(t, sigma);
+    ramp[i] = normalRamp(t, sigma);
+  }
+  for (int i = 0; i <= half; ++i) {
+    const double t = static_cast<double>(i) / SAMPLES;
+    const double density = step[i + 2 * pixel] - step[i];
+    // 1 exactly beyond the reach, so that nothing is left over to the right of a region
+    const double cumulative = t >= m_reach ? 1. : ramp[i + 2 * pixel] - ramp[i];
+    m_density[half + i] = density;
+    m_density[half - i] = density;
+    m_cumulative[half + i] = cumulative;
+    m_cumulative[half - i] = 1. - cumulative;
   }
 }
 
