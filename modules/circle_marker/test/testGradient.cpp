@@ -17,8 +17,6 @@
 
 #include "testRoomTools.h"
 
-#include <opencv2/core.hpp>
-
 #include "segment/gradient.h"
 
 using namespace circle_marker;
@@ -27,7 +25,7 @@ using namespace room_test;
 namespace {
 double noiseOf(vpImage<unsigned char> &I)
 {
-  return estimateNoise(cv::Mat(static_cast<int>(I.getHeight()), static_cast<int>(I.getWidth()), CV_8U, I.bitmap));
+  return estimateNoise(I);
 }
 
 //! Grey plane, tilted by some grey levels a pixel.
@@ -138,8 +136,8 @@ TEST(Gradient, LeastStepWithoutNoise)
       }
     }
     computeGradient(I, gradient);
-    EXPECT_EQ(gradient.dx.at<short>(30, 32), 4 * step);
-    EXPECT_EQ(gradient.dy.at<short>(30, 32), 0);
+    EXPECT_EQ(gradient.at(32, 30).dx, 4 * step);
+    EXPECT_EQ(gradient.at(32, 30).dy, 0);
     EXPECT_EQ(gradient.squaredMagnitude(32, 30) >= gradient.startAt * gradient.startAt, step >= 7) << step;
     EXPECT_EQ(gradient.squaredMagnitude(32, 30) >= gradient.continueAbove * gradient.continueAbove, step >= 4) << step;
   }
@@ -154,7 +152,7 @@ TEST(Gradient, PointsToTheBrightSide)
     const double angle = 2. * M_PI * k / 16.;
     const int x = static_cast<int>(std::lround(40. + 20. * std::cos(angle)));
     const int y = static_cast<int>(std::lround(40. + 20. * std::sin(angle)));
-    const Eigen::Vector2d g(gradient.dx.at<short>(y, x), gradient.dy.at<short>(y, x));
+    const Eigen::Vector2d g(gradient.at(x, y).dx, gradient.at(x, y).dy);
     EXPECT_GT(g.normalized().dot(Eigen::Vector2d(std::cos(angle), std::sin(angle))), 0.98);
   }
 }

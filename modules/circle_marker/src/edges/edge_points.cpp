@@ -28,14 +28,20 @@ constexpr double leastCosine = 0.5;
 
 bool inside(const Gradient &gradient, int x, int y, int margin)
 {
-  return x >= margin && y >= margin && x < gradient.dx.cols - margin && y < gradient.dx.rows - margin;
+  return x >= margin && y >= margin && x < gradient.width - margin && y < gradient.height - margin;
 }
 
 double component(const Gradient &gradient, int x, int y, const Eigen::Vector2d &direction)
 {
-  return gradient.dx.at<short>(y, x) * direction.x() + gradient.dy.at<short>(y, x) * direction.y();
+  const GradientVector vector = gradient.at(x, y);
+  return vector.dx * direction.x() + vector.dy * direction.y();
 }
 
+Eigen::Vector2d normalAt(const Gradient &gradient, int x, int y)
+{
+  const GradientVector vector = gradient.at(x, y);
+  return Eigen::Vector2d(vector.dx, vector.dy).normalized();
+}
 } // namespace
 
 std::optional<EdgePoint> locateEdge(const Gradient &gradient, int x, int y)
@@ -44,7 +50,7 @@ std::optional<EdgePoint> locateEdge(const Gradient &gradient, int x, int y)
   if (!inside(gradient, x, y, margin)) {
     return std::nullopt;
   }
-  const Eigen::Vector2d normal = Eigen::Vector2d(gradient.dx.at<short>(y, x), gradient.dy.at<short>(y, x)).normalized();
+  const Eigen::Vector2d normal = normalAt(gradient, x, y);
   const int ax = std::abs(normal.x()) >= std::abs(normal.y()) ? 1 : 0;
   const int ay = 1 - ax;
   // The component along this edge's own normal, so that the opposite edge of a thin line does not count.
@@ -72,7 +78,7 @@ std::optional<EdgePoint> locateEdge(const Gradient &gradient, int x, int y)
   const double offset = 0.5 * (before - after) / curvature;
   EdgePoint point;
   point.position = Eigen::Vector2d(x + offset * ax, y + offset * ay);
-  point.normal = Eigen::Vector2d(gradient.dx.at<short>(y, x), gradient.dy.at<short>(y, x)).normalized();
+  point.normal = normalAt(gradient, x, y);
   return point;
 }
 

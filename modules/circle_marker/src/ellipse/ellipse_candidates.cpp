@@ -55,7 +55,7 @@ std::optional<EllipseCandidate> fitPoints(const EdgePoint *points, std::size_t c
   for (std::size_t i = 0; i < count; i += stride) {
     buffer.push_back(points[i].position);
   }
-  const auto conic = fitEllipse(buffer.data(), buffer.size());
+  const auto conic = fitEllipse(buffer.data(), buffer.size(), nullptr, roughFit);
   if (!conic) {
     return std::nullopt;
   }

@@ -110,9 +110,10 @@ std::optional<Vector6d> fitDirectly(const WhitenedPoints &points)
   Matrix6d scatter = Matrix6d::Zero();
   for (std::size_t i = 0; i < points.size; i++) {
     const Vector6d m = monomials(points.at(i));
-    scatter.selfadjointView<Eigen::Lower>().rankUpdate(m, points.weight(i));
+    // The full matrix: twice the products of its half, but without a branch.
+    scatter.noalias() += (points.weight(i) * m) * m.transpose();
   }
-  const Matrix6d S = scatter.selfadjointView<Eigen::Lower>();
+  const Matrix6d &S = scatter;
   const Eigen::Matrix3d S2 = S.topRightCorner<3, 3>();
   // Of whitened points the scatter of (u, v, 1) is the unit matrix, up to rounding.
   const Eigen::Matrix3d T = -Eigen::Matrix3d(S.bottomRightCorner<3, 3>()).inverse() * S2.transpose();
@@ -171,28 +172,25 @@ NormalEquations sampsonEquations(const WhitenedPoints &points, const Vector6d &c
     const Vector6d J = (m - distance * lengthDerivative) / length;
     equations.cost += weight * distance * distance;
     equations.gradient += weight * distance * J;
-    equations.hessian.selfadjointView<Eigen::Lower>().rankUpdate(J, weight);
+    equations.hessian.noalias() += (weight * J) * J.transpose();
   }
   return equations;
 }
 
 //! Gauss-Newton on the unit sphere of the coefficients; steps that leave the ellipses or raise the cost are halved.
-Vector6d refine(const WhitenedPoints &points, Vector6d conic)
+Vector6d refine(const WhitenedPoints &points, Vector6d conic, const FitLimits &limits)
 {
-  const int maximumIterations = 10;    // Two to four are used on contours, more on short noisy arcs.
-  const int maximumHalvings = 4;       // A sixteenth of a Gauss-Newton step that does not help: at the minimum.
-  const double negligibleStep = 1e-8;  // Of coefficients of order 1; the next step is smaller by far.
-  const double negligibleGain = 1e-13; // Of the cost: below it, comparing costs compares their rounding.
+  const int maximumHalvings = 4; // A sixteenth of a Gauss-Newton step that does not help: at the minimum.
   NormalEquations equations = sampsonEquations(points, conic);
-  for (int iteration = 0; iteration < maximumIterations; iteration++) {
-    Matrix6d H = equations.hessian.selfadjointView<Eigen::Lower>();
+  for (int iteration = 0; iteration < limits.iterations; iteration++) {
+    Matrix6d H = equations.hessian;
     // The distance does not depend on the scale of the coefficients: fix that direction.
     H += H.trace() * conic * conic.transpose();
     Vector6d step = -H.ldlt().solve(equations.gradient);
     if (!step.allFinite()) {
       break;
     }
-    if (-equations.gradient.dot(step) < negligibleGain * equations.cost) {
+    if (-equations.gradient.dot(step) < limits.leastGain * equations.cost) {
       break;
     }
     bool better = false;
@@ -209,7 +207,7 @@ Vector6d refine(const WhitenedPoints &points, Vector6d conic)
       }
       step *= 0.5;
     }
-    if (!better || step.norm() < negligibleStep) {
+    if (!better || step.norm() < limits.leastStep) {
       break;
     }
   }
@@ -217,7 +215,8 @@ Vector6d refine(const WhitenedPoints &points, Vector6d conic)
 }
 } // namespace
 
-std::optional<Eigen::Matrix3d> fitEllipse(const Eigen::Vector2d *points, std::size_t size, const double *weights)
+std::optional<Eigen::Matrix3d> fitEllipse(const Eigen::Vector2d *points, std::size_t size, const double *weights,
+                                          const FitLimits &limits)
 {
   const std::optional<WhitenedPoints> whitened = whiten(points, size, weights);
   if (!whitened) {
@@ -227,7 +226,7 @@ std::optional<Eigen::Matrix3d> fitEllipse(const Eigen::Vector2d *points, std::si
   if (!start) {
     return std::nullopt;
   }
-  const Vector6d c = refine(*whitened, *start);
+  const Vector6d c = refine(*whitened, *start, limits);
 
   Eigen::Matrix3d Q;
   Q << c(0), 0.5 * c(1), 0.5 * c(3), 0.5 * c(1), c(2), 0.5 * c(4), 0.5 * c(3), 0.5 * c(4), c(5);

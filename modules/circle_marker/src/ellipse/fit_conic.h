@@ -34,6 +34,17 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! When the iterations of fitEllipse() end. */
+struct FitLimits
+{
+  int iterations = 10;      //!< Most of them. Two to four are used on contours, more on short noisy arcs.
+  double leastGain = 1e-13; //!< Share of the cost: below the default, comparing costs compares their rounding.
+  double leastStep = 1e-8;  //!< Of coefficients of order 1; the next step is smaller by far.
+};
+
+/*! For ellipses that only say where to look: within a percent of the least root-mean-square distance. */
+constexpr FitLimits roughFit = {3, 0.02, 1e-4};
+
 /*!
   Fits an ellipse to points: the direct ellipse-specific least squares (A. Fitzgibbon, M. Pilu and R. Fisher, Direct
   least square fitting of ellipses, PAMI 21 (1999), in the stable form of R. Halir and J. Flusser, WSCG 1998) as a
@@ -47,11 +58,12 @@ namespace circle_marker {
   \param points : At least 5 points, in any unit.
   \param size : Number of points.
   \param weights : Weights of the squared distances, or nullptr for equal ones; a point of weight 0 is left out.
+  \param limits : When to stop.
   \return Conic of unit Frobenius norm, negative inside; nothing for fewer than 5 points, points on a line or not
   finite, or if no ellipse is near them.
 */
 std::optional<Eigen::Matrix3d> fitEllipse(const Eigen::Vector2d *points, std::size_t size,
-                                          const double *weights = nullptr);
+                                          const double *weights = nullptr, const FitLimits &limits = FitLimits());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

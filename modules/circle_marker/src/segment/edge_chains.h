@@ -49,6 +49,7 @@ struct EdgeChains
   std::vector<EdgePixel> pixels;
   std::vector<EdgeChain> chains;
   std::vector<std::uint8_t> visited; //!< One per image pixel: 0, or how a chain has passed there.
+  std::vector<std::uint8_t> strong;  //!< Two per pixel of a row: whether dx or dy could start a chain.
 };
 
 /*!
@@ -59,8 +60,10 @@ struct EdgeChains
   \param gradient : Gradient of the image.
   \param shortest : Chains of fewer pixels are dropped.
   \param result : The chains.
+  \param deadline : When to stop; what is linked by then is kept.
 */
-void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &result);
+void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &result,
+                    const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -17,11 +17,10 @@
 
 #include "segment/gradient.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
-
-#include <opencv2/imgproc.hpp>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -36,19 +35,19 @@ constexpr double leastStartStep = 7.;
 constexpr double leastContinueStep = 4.;
 constexpr double sobelStepGain = 4.;
 // Every 8th pixel of every 8th row: 19 thousand samples of a 1280 x 960 image fix the noise to 1 %.
-constexpr int noiseSampling = 8;
+constexpr unsigned int noiseSampling = 8;
 } // namespace
 
-double estimateNoise(const cv::Mat &image)
+double estimateNoise(const vpImage<unsigned char> &I)
 {
   constexpr int largest = 16 * 255; // of the absolute response: the weights' absolute values sum to 16
   std::array<int, largest + 1> histogram{};
   int samples = 0;
-  for (int y = 1; y < image.rows - 1; y += noiseSampling) {
-    const unsigned char *above = image.ptr<unsigned char>(y - 1);
-    const unsigned char *here = image.ptr<unsigned char>(y);
-    const unsigned char *below = image.ptr<unsigned char>(y + 1);
-    for (int x = 1; x < image.cols - 1; x += noiseSampling) {
+  for (unsigned int y = 1; y + 1 < I.getHeight(); y += noiseSampling) {
+    const unsigned char *above = I[y - 1];
+    const unsigned char *here = I[y];
+    const unsigned char *below = I[y + 1];
+    for (unsigned int x = 1; x + 1 < I.getWidth(); x += noiseSampling) {
       const int response = above[x - 1] - 2 * above[x] + above[x + 1] - 2 * here[x - 1] + 4 * here[x] -
                            2 * here[x + 1] + below[x - 1] - 2 * below[x] + below[x + 1];
       ++histogram[static_cast<std::size_t>(std::abs(response))];
@@ -70,16 +69,56 @@ double estimateNoise(const cv::Mat &image)
   return placed / (6. * 0.6745);
 }
 
-void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient)
+void prepareGradient(const vpImage<unsigned char> &I, Gradient &gradient)
 {
-  const cv::Mat image(static_cast<int>(I.getHeight()), static_cast<int>(I.getWidth()), CV_8U,
-                      const_cast<unsigned char *>(I.bitmap));
-  cv::spatialGradient(image, gradient.dx, gradient.dy);
-  gradient.noise = estimateNoise(image);
+  gradient.width = static_cast<int>(I.getWidth());
+  gradient.height = static_cast<int>(I.getHeight());
+  gradient.vectors.resize(I.getSize());
+  gradient.noise = estimateNoise(I);
   const double sigma = sobelNoiseGain * gradient.noise;
   gradient.startAt = static_cast<int>(std::lround(std::max(startSigmas * sigma, sobelStepGain * leastStartStep)));
   gradient.continueAbove =
       static_cast<int>(std::lround(std::max(continueSigmas * sigma, sobelStepGain * leastContinueStep)));
+}
+
+void computeGradientRows(const vpImage<unsigned char> &I, int firstRow, int endRow, Gradient &gradient)
+{
+  const int width = gradient.width;
+  for (int y = firstRow; y < endRow; ++y) {
+    GradientVector *out = gradient.vectors.data() + gradient.index(0, y);
+    if (y == 0 || y == gradient.height - 1) {
+      std::fill(out, out + width, GradientVector{0, 0});
+      continue;
+    }
+    const unsigned char *above = I[static_cast<unsigned int>(y - 1)];
+    const unsigned char *here = I[static_cast<unsigned int>(y)];
+    const unsigned char *below = I[static_cast<unsigned int>(y + 1)];
+    out[0] = {0, 0};
+    // Plain arithmetic in 16 bits and no branch: compilers make vector instructions of it.
+    for (int x = 1; x < width - 1; ++x) {
+      const short left = static_cast<short>(above[x - 1] + 2 * here[x - 1] + below[x - 1]);
+      const short right = static_cast<short>(above[x + 1] + 2 * here[x + 1] + below[x + 1]);
+      const short top = static_cast<short>(above[x - 1] + 2 * above[x] + above[x + 1]);
+      const short bottom = static_cast<short>(below[x - 1] + 2 * below[x] + below[x + 1]);
+      out[x].dx = static_cast<short>(right - left);
+      out[x].dy = static_cast<short>(bottom - top);
+    }
+    out[width - 1] = {0, 0};
+  }
+}
+
+void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient, const Deadline &deadline)
+{
+  constexpr int rowsAtOnce = 64; // between two looks at the clock: 0.1 ms on 4000 pixels
+  prepareGradient(I, gradient);
+  for (int y = 0; y < gradient.height; y += rowsAtOnce) {
+    if (deadline.hasPassed()) {
+      std::fill(gradient.vectors.begin() + static_cast<std::ptrdiff_t>(gradient.index(0, y)), gradient.vectors.end(),
+                GradientVector{0, 0});
+      return;
+    }
+    computeGradientRows(I, y, std::min(y + rowsAtOnce, gradient.height), gradient);
+  }
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -18,31 +18,46 @@
 #ifndef VP_CIRCLE_MARKER_GRADIENT_H
 #define VP_CIRCLE_MARKER_GRADIENT_H
 
-#include <opencv2/core.hpp>
+#include <cstddef>
+#include <vector>
 
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
 #include <visp3/core/vpImage.h>
 
+#include "support/deadline.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! Gradient at a pixel. */
+struct GradientVector
+{
+  short dx; //!< Derivative along u.
+  short dy; //!< Derivative along v.
+
+  int squared() const { return dx * dx + dy * dy; }
+};
+
 /*!
   Sobel gradient of an image (3 x 3, unnormalised: a step of s grey levels gives up to 4 s) and the magnitudes from
-  which a pixel counts as an edge. The gradient points to the brighter side.
+  which a pixel counts as an edge. The gradient points to the brighter side; it is zero along the image's border.
 */
 struct Gradient
 {
-  cv::Mat dx;            //!< Derivative along u, CV_16S.
-  cv::Mat dy;            //!< Derivative along v, CV_16S.
-  double noise = 0.;     //!< Standard deviation of the image noise, grey levels.
-  int startAt = 0;       //!< An edge chain starts at a pixel whose gradient magnitude is at least this.
-  int continueAbove = 0; //!< An edge chain goes on over pixels whose gradient magnitude is at least this.
+  int width = 0;                       //!< Pixels.
+  int height = 0;                      //!< Pixels.
+  std::vector<GradientVector> vectors; //!< Row by row.
+  double noise = 0.;                   //!< Standard deviation of the image noise, grey levels.
+  int startAt = 0;                     //!< An edge chain starts at a pixel whose gradient magnitude is at least this.
+  int continueAbove = 0;               //!< An edge chain goes on over pixels whose gradient magnitude is at least this.
 
-  int squaredMagnitude(int x, int y) const
+  std::size_t index(int x, int y) const
   {
-    const int gx = dx.at<short>(y, x);
-    const int gy = dy.at<short>(y, x);
-    return gx * gx + gy * gy;
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
+
+  const GradientVector &at(int x, int y) const { return vectors[index(x, y)]; }
+
+  int squaredMagnitude(int x, int y) const { return at(x, y).squared(); }
 };
 
 /*!
@@ -50,12 +65,18 @@ struct Gradient
   Laplacians, which is blind to planes and straight edges (Immerkaer, "Fast noise variance estimation", 1996; the
   median in place of his mean keeps it from rising with texture).
 */
-double estimateNoise(const cv::Mat &image);
+double estimateNoise(const vpImage<unsigned char> &I);
+
+/*! Makes room for the gradient of an image and sets its thresholds by the image's noise. */
+void prepareGradient(const vpImage<unsigned char> &I, Gradient &gradient);
+
+/*! Fills the rows of the gradient from \e firstRow to before \e endRow, after prepareGradient(). */
+void computeGradientRows(const vpImage<unsigned char> &I, int firstRow, int endRow, Gradient &gradient);
 
 /*!
-  Fills \e gradient from \e I. Its memory is used again from call to call.
+  Fills \e gradient from \e I. Its memory is used again from call to call. After the deadline the rest stays zero.
 */
-void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient);
+void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient, const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
