@@ -30,29 +30,26 @@ constexpr double DISPLACEMENT_V = 0.7e-7;
 
 } // namespace
 
-bool showsItsFace(const vpHomogeneousMatrix &cMo)
-{
-  return cMo[0][2] * cMo[0][3] + cMo[1][2] * cMo[1][3] + cMo[2][2] * cMo[2][3] > 0.;
-}
-
 Outline sheetImage(const vpSimulatedMarker &marker, const vpHomogeneousMatrix &cMo, const Lens &lens)
 {
-  Outline sheet = project(sheetOf(marker), cMo, lens);
-  if (!showsItsFace(cMo)) {
+  const Paper paper(marker, cMo);
+  Outline sheet = project(sheetOf(marker), paper, lens);
+  if (!paper.showsItsFace()) {
     reverse(sheet);
   }
   return sheet;
 }
 
-Layer layerOf(const vpSimulatedMarker &marker, const vpHomogeneousMatrix &cMo, const Lens &lens, double paper,
+Layer layerOf(const vpSimulatedMarker &marker, const vpHomogeneousMatrix &cMo, const Lens &lens, double paperGrey,
               double ink)
 {
-  Layer layer = {sheetImage(marker, cMo, lens), paper, {}};
-  if (!showsItsFace(cMo)) {
+  const Paper paper(marker, cMo);
+  Layer layer = {sheetImage(marker, cMo, lens), paperGrey, {}};
+  if (!paper.showsItsFace()) {
     return layer;
   }
   for (const PrintedRegion &region : printOn(marker)) {
-    layer.patches.push_back({project(region, cMo, lens), (1. - region.whiteness) * (ink - paper)});
+    layer.patches.push_back({project(region, paper, lens), (1. - region.whiteness) * (ink - paperGrey)});
   }
   return layer;
 }

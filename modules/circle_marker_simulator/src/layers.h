@@ -48,14 +48,11 @@ struct Layer
 Outline sheetImage(const vpSimulatedMarker &marker, const vpHomogeneousMatrix &cMo, const Lens &lens);
 
 //! A marker's sheet and print, projected; from behind, a blank sheet. Throws a vpException where it cannot be seen.
-Layer layerOf(const vpSimulatedMarker &marker, const vpHomogeneousMatrix &cMo, const Lens &lens, double paper,
+Layer layerOf(const vpSimulatedMarker &marker, const vpHomogeneousMatrix &cMo, const Lens &lens, double paperGrey,
               double ink);
 
 //! An occluder.
 Layer layerOf(const vpSceneOccluder &occluder);
-
-//! Whether the printed side faces the camera.
-bool showsItsFace(const vpHomogeneousMatrix &cMo);
 
 //! Displaces the layer of the given index by multiples of 1e-7 pixels, so that no edges of two layers coincide.
 void setApart(std::size_t index, Outline &outline);

@@ -73,14 +73,10 @@ void appendCode(const vpSimulatedMarker &marker, double radius, std::vector<Plan
 
 struct Projector
 {
-  const vpHomogeneousMatrix &cMo;
+  const Paper &paper;
   const Lens &lens;
 
-  PlanePoint operator()(const PlanePoint &p) const
-  {
-    return lens.project(cMo[0][0] * p.x + cMo[0][1] * p.y + cMo[0][3], cMo[1][0] * p.x + cMo[1][1] * p.y + cMo[1][3],
-                        cMo[2][0] * p.x + cMo[2][1] * p.y + cMo[2][3]);
-  }
+  PlanePoint operator()(const PlanePoint &p) const { return paper.project(p, lens); }
 };
 
 // Largest distance from chord to curve, in pixels. The triangle that stands for the piece of curve over the chord has
@@ -154,8 +150,8 @@ PlanePoint PlaneCurve::at(double t) const
 
 int PlaneCurve::parts() const
 {
-  // Arcs in parts of 22 degrees. A line is curved by distortion alone; in 4 parts even an S, whose middle lies on the
-  // chord, shows.
+  // Arcs in parts of 22 degrees. A line is curved by distortion or a bent sheet alone; in 4 parts even an S, whose
+  // middle lies on the chord, shows.
   return isLine() ? 4 : static_cast<int>(std::ceil(std::fabs(m_toAngle - m_fromAngle) / (M_PI / 8.)));
 }
 
@@ -188,12 +184,12 @@ std::vector<PrintedRegion> printOn(const vpSimulatedMarker &marker)
   return {ink};
 }
 
-Outline project(const PrintedRegion &region, const vpHomogeneousMatrix &cMo, const Lens &lens)
+Outline project(const PrintedRegion &region, const Paper &paper, const Lens &lens)
 {
-  const Projector projector = {cMo, lens};
+  const Projector projector = {paper, lens};
   Outline outline;
   for (const PlaneCurve &curve : region.boundary) {
-    const int parts = lens.keepsLines() && curve.isLine() ? 1 : curve.parts();
+    const int parts = lens.keepsLines() && paper.isFlat() && curve.isLine() ? 1 : curve.parts();
     PlanePoint from = projector(curve.at(0.));
     for (int i = 1; i <= parts; ++i) {
       const double t = static_cast<double>(i) / parts;

@@ -24,6 +24,7 @@
 
 #include "lens.h"
 #include "outline.h"
+#include "paper.h"
 
 BEGIN_VISP_NAMESPACE
 namespace marker_simulator {
@@ -68,7 +69,7 @@ std::vector<PrintedRegion> printOn(const vpSimulatedMarker &marker);
 
   \exception vpException::badValue : a part of it cannot be seen by the camera.
 */
-Outline project(const PrintedRegion &region, const vpHomogeneousMatrix &cMo, const Lens &lens);
+Outline project(const PrintedRegion &region, const Paper &paper, const Lens &lens);
 
 } // namespace marker_simulator
 END_VISP_NAMESPACE

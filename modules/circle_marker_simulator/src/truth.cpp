@@ -34,12 +34,6 @@ constexpr int EDGE_SAMPLES = 2880;
 // power; 256 points are exact to rounding up to a tilt of 85 degrees at any distance from two diameters on.
 constexpr int MOMENT_SAMPLES = 1024;
 
-PlanePoint projectOnPlane(double x, double y, const vpHomogeneousMatrix &cMo, const Lens &lens)
-{
-  return lens.project(cMo[0][0] * x + cMo[0][1] * y + cMo[0][3], cMo[1][0] * x + cMo[1][1] * y + cMo[1][3],
-                      cMo[2][0] * x + cMo[2][1] * y + cMo[2][3]);
-}
-
 // Outer edge of the marker as printed without ink spread: circle, or rectangle.
 PrintedRegion outerEdge(const vpSimulatedMarker &marker)
 {
@@ -66,6 +60,7 @@ double curveLength(const PlaneCurve &curve, const vpSimulatedMarker &marker)
 double visibleEdge(const vpSimulatedMarker &marker, const PrintedRegion &edge, const Lens &lens,
                    const std::vector<Outline> &covers, const Box &frame)
 {
+  const Paper paper(marker, marker.getPose());
   double all = 0.;
   double visible = 0.;
   const int samples = EDGE_SAMPLES / static_cast<int>(edge.boundary.size());
@@ -73,7 +68,7 @@ double visibleEdge(const vpSimulatedMarker &marker, const PrintedRegion &edge, c
     const double piece = curveLength(curve, marker) / samples;
     for (int i = 0; i < samples; ++i) {
       const PlanePoint q = curve.at((i + 0.5) / samples);
-      const PlanePoint p = projectOnPlane(q.x, q.y, marker.getPose(), lens);
+      const PlanePoint p = paper.project(q, lens);
       const bool within = p.x >= frame.left && p.x <= frame.right && p.y >= frame.top && p.y <= frame.bottom;
       const bool covered =
           std::any_of(covers.begin(), covers.end(), [&p](const Outline &cover) { return isInside(cover, p); });
@@ -105,13 +100,13 @@ double tiltOf(const vpHomogeneousMatrix &cMo)
 
 } // namespace
 
-vpEllipseTruth ellipseOf(double radius, const vpHomogeneousMatrix &cMo, const Lens &lens)
+vpEllipseTruth ellipseOf(double radius, const Paper &paper, const Lens &lens)
 {
   std::array<PlanePoint, MOMENT_SAMPLES> p;
-  const PlanePoint origin = projectOnPlane(0., 0., cMo, lens);
+  const PlanePoint origin = paper.project({0., 0.}, lens);
   for (int i = 0; i < MOMENT_SAMPLES; ++i) {
     const double angle = 2. * M_PI * i / MOMENT_SAMPLES;
-    const PlanePoint q = projectOnPlane(radius * std::cos(angle), radius * std::sin(angle), cMo, lens);
+    const PlanePoint q = paper.project({radius * std::cos(angle), radius * std::sin(angle)}, lens);
     p[i] = {q.x - origin.x, q.y - origin.y};
   }
   // Integrals over the disc's image of 1, x, y, x^2, x y, y^2 as integrals along its edge, with derivatives along the
@@ -153,7 +148,8 @@ vpMarkerTruth truthOf(const vpSimulatedMarker &marker, const Lens &lens, const s
                       const Box &frame)
 {
   const vpHomogeneousMatrix &cMo = marker.getPose();
-  const PlanePoint center = projectOnPlane(0., 0., cMo, lens);
+  const PlanePoint center = lens.project(cMo[0][3], cMo[1][3], cMo[2][3]);
+  const Paper paper(marker, cMo);
   vpMarkerTruth truth;
   truth.family = marker.getFamily();
   truth.id = marker.getId();
@@ -161,17 +157,17 @@ vpMarkerTruth truthOf(const vpSimulatedMarker &marker, const Lens &lens, const s
   truth.cMo = cMo;
   truth.center = vpImagePoint(center.y, center.x);
   truth.tilt = tiltOf(cMo);
-  if (!showsItsFace(cMo)) {
+  if (!paper.showsItsFace()) {
     truth.visibleEdge = 0.;
     truth.coveredArea = 1.;
     return truth;
   }
   if (marker.isCircle()) {
-    truth.ellipse = ellipseOf(0.5 * marker.getSize(), cMo, lens);
+    truth.ellipse = ellipseOf(0.5 * marker.getSize(), paper, lens);
   }
   const PrintedRegion edge = outerEdge(marker);
   truth.visibleEdge = visibleEdge(marker, edge, lens, covers, frame);
-  truth.coveredArea = coveredArea(project(edge, cMo, lens), covers, frame);
+  truth.coveredArea = coveredArea(project(edge, paper, lens), covers, frame);
   return truth;
 }
 

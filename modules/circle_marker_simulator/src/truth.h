@@ -25,12 +25,13 @@
 
 #include "lens.h"
 #include "outline.h"
+#include "paper.h"
 
 BEGIN_VISP_NAMESPACE
 namespace marker_simulator {
 
 //! Image of a circle of the given radius, in metres, around the marker's origin (see vpEllipseTruth).
-vpEllipseTruth ellipseOf(double radius, const vpHomogeneousMatrix &cMo, const Lens &lens);
+vpEllipseTruth ellipseOf(double radius, const Paper &paper, const Lens &lens);
 
 //! Truth of a marker of which the regions `covers` hide parts, in an image whose pixels fill `frame`.
 vpMarkerTruth truthOf(const vpSimulatedMarker &marker, const Lens &lens, const std::vector<Outline> &covers,

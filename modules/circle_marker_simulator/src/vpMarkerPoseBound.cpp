@@ -25,7 +25,7 @@
 
 #include "bound/marker_view.h"
 #include "bound/mirror_fit.h"
-#include "layers.h"
+#include "paper.h"
 
 BEGIN_VISP_NAMESPACE
 
@@ -108,7 +108,7 @@ void checkPhotometry(const vpScenePhotometry &photometry)
 
 void checkView(const vpSimulatedMarker &marker)
 {
-  if (!showsItsFace(marker.getPose())) {
+  if (!Paper(marker, marker.getPose()).showsItsFace()) {
     throw vpException(vpException::badValue, "the marker shows its back: there is nothing to be measured");
   }
 }

@@ -28,6 +28,7 @@
 #include "jpeg_loss.h"
 #include "layers.h"
 #include "lens.h"
+#include "paper.h"
 #include "sensor.h"
 #include "truth.h"
 
@@ -52,17 +53,12 @@ vpHomogeneousMatrix poseAt(const vpHomogeneousMatrix &cMo, const vpColVector &tw
 // Largest distance that a sheet's corner moves in the image during the exposure, in pixels.
 double motionInImage(const vpSimulatedMarker &marker, const vpColVector &twist, const Lens &lens)
 {
-  const auto cornerAt = [&](double x, double y, double instant) {
-    const vpHomogeneousMatrix M = poseAt(marker.getPose(), twist, instant);
-    return lens.project(M[0][0] * x + M[0][1] * y + M[0][3], M[1][0] * x + M[1][1] * y + M[1][3],
-                        M[2][0] * x + M[2][1] * y + M[2][3]);
-  };
   double motion = 0.;
   for (int corner = 0; corner < 4; ++corner) {
     const double x = (corner & 1 ? 0.5 : -0.5) * marker.getSheetWidth();
     const double y = (corner & 2 ? 0.5 : -0.5) * marker.getSheetHeight();
-    const PlanePoint p = cornerAt(x, y, -0.5);
-    const PlanePoint q = cornerAt(x, y, 0.5);
+    const PlanePoint p = Paper(marker, poseAt(marker.getPose(), twist, -0.5)).project({x, y}, lens);
+    const PlanePoint q = Paper(marker, poseAt(marker.getPose(), twist, 0.5)).project({x, y}, lens);
     motion = std::max(motion, std::hypot(p.x - q.x, p.y - q.y));
   }
   return motion;

@@ -53,7 +53,7 @@ vpRotationMatrix towardSight(double X, double Y, double Z)
 bool fits(const vpSimulatedMarker &marker, const vpHomogeneousMatrix &cMo, const Lens &lens, const Box &frame)
 {
   try {
-    const Box box = boundingBox(project(sheetOf(marker), cMo, lens));
+    const Box box = boundingBox(project(sheetOf(marker), Paper(marker, cMo), lens));
     return box.left >= frame.left && box.top >= frame.top && box.right <= frame.right && box.bottom <= frame.bottom;
   }
   catch (const vpException &) {

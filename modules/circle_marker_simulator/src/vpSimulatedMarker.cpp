@@ -36,6 +36,8 @@ constexpr double CODED_RING_RATIO = 0.80;
 constexpr double PLAIN_RING_RATIO = 0.70;
 // Half of the narrowest white sector (31 sectors, inner radius of the track 0.4) is 0.0405 of the radius.
 constexpr double MOST_INK_SPREAD = 0.02;
+// Largest height of a bent sheet's arc, as a share of its side: an arc of 46 degrees, which no wall has.
+constexpr double MOST_BOW = 0.1;
 
 } // namespace
 
@@ -184,6 +186,30 @@ vpSimulatedMarker &vpSimulatedMarker::setInkSpread(double spread)
                       spread, m_size, MOST_INK_SPREAD * m_size);
   }
   m_inkSpread = spread;
+  return *this;
+}
+
+/*!
+  Bends the sheet about an axis in its plane through the marker's centre, as paper bends: into a part of a cylinder,
+  without stretching.
+
+  The marker's pose is then that of the plane through the mean of the ring's outer edge, of which one half lies above
+  and one half below: a bend moves the marker neither nearer nor farther on average.
+
+  \param bow : height of the arc over a length of the sheet's side across the axis, in metres; positive: the sheet's
+  edges lie farther from the viewer than its middle. 0: flat.
+  \param axis : direction of the cylinder's axis, in radians from +x toward +y of the marker frame.
+  \exception vpException::badValue : more than a tenth of the sheet's side.
+*/
+vpSimulatedMarker &vpSimulatedMarker::setBow(double bow, double axis)
+{
+  const double side = std::fmax(m_sheetWidth, m_sheetHeight);
+  if (!(std::fabs(bow) <= MOST_BOW * side) || !std::isfinite(axis)) {
+    throw vpException(vpException::badValue, "a bow of %g m is too much for a sheet of %g m: at most %g m", bow, side,
+                      MOST_BOW * side);
+  }
+  m_bow = bow;
+  m_bowAxis = axis;
   return *this;
 }
 

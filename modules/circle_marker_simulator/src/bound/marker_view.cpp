@@ -23,6 +23,7 @@
 #include <visp3/core/vpException.h>
 
 #include "../lens.h"
+#include "../paper.h"
 #include "marker_view.h"
 
 BEGIN_VISP_NAMESPACE
@@ -53,13 +54,13 @@ constexpr std::size_t CAMERAS_KEPT = 4;
 
 std::vector<PlanePoint> edgeImage(const vpSimulatedMarker &marker, const vpHomogeneousMatrix &cMo, const Lens &lens)
 {
+  const Paper paper(marker, cMo);
   std::vector<PlanePoint> points;
   for (int i = 0; i < EDGE_POINTS; ++i) {
     const double angle = 2. * M_PI * i / EDGE_POINTS;
     const double x = 0.5 * marker.getSize() * std::cos(angle);
     const double y = 0.5 * marker.getHeight() * std::sin(angle);
-    points.push_back(lens.project(cMo[0][0] * x + cMo[0][1] * y + cMo[0][3], cMo[1][0] * x + cMo[1][1] * y + cMo[1][3],
-                                  cMo[2][0] * x + cMo[2][1] * y + cMo[2][3]));
+    points.push_back(paper.project({x, y}, lens));
   }
   return points;
 }

@@ -21,7 +21,6 @@
 
 #include <visp3/core/vpException.h>
 
-#include "../layers.h"
 #include "mirror_fit.h"
 
 BEGIN_VISP_NAMESPACE
@@ -62,7 +61,7 @@ double squaredDistance(const Eigen::VectorXd &residual, const Eigen::VectorXd &w
 // A trial state that cannot be rendered (turned away, blur below none) is as bad as can be.
 bool isPossible(const ViewState &state)
 {
-  return state.cMo[2][3] > 0. && showsItsFace(state.cMo) && state.blurVariance > 0.;
+  return state.cMo[2][3] > 0. && normalOf(state.cMo).dot(sightOf(state.cMo)) > 0. && state.blurVariance > 0.;
 }
 
 ViewState fit(const MarkerView &view, const Eigen::VectorXd &weights, const Eigen::VectorXd &target,

@@ -58,7 +58,7 @@ struct vpMarkerTruth
   std::string family;                    //!< Family of the marker.
   int id = -1;                           //!< Number in the family, -1 without.
   double size = 0.;                      //!< Size of the marker, in metres.
-  vpHomogeneousMatrix cMo;               //!< Pose, z into the marker; at the middle of the exposure.
+  vpHomogeneousMatrix cMo;               //!< Pose, z into the marker; at the middle of the exposure; if bent: setBow().
   vpImagePoint center;                   //!< Image of the marker's origin, in pixels.
   double tilt = 0.;                      //!< Angle between the normal and the line of sight, in radians.
   std::optional<vpEllipseTruth> ellipse; //!< Image of the outer edge of a circular marker.

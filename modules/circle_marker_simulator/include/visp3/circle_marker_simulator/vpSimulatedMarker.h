@@ -38,7 +38,8 @@ BEGIN_VISP_NAMESPACE
 /*!
   \class vpSimulatedMarker
   \ingroup group_circle_marker_simulator
-  \brief A flat printed marker: a circular marker, an AprilTag or any picture, on a white sheet.
+  \brief A printed marker: a circular marker, an AprilTag or any picture, on a white sheet, flat unless bent by
+  setBow().
 
   The marker frame has its origin in the marker's centre and, seen upright from the front, x to the right, y down and
   z into the marker, away from the camera: a frontal upright marker has the identity as rotation. Lengths in metres.
@@ -61,6 +62,7 @@ public:
   vpSimulatedMarker &setQuietZone(double quietZone);
   vpSimulatedMarker &setSheetSide(double side);
   vpSimulatedMarker &setInkSpread(double spread);
+  vpSimulatedMarker &setBow(double bow, double axis = 0.);
 
   /*! Pose of the marker in the camera frame, lengths in metres. */
   const vpHomogeneousMatrix &getPose() const { return m_cMo; }
@@ -82,6 +84,10 @@ public:
   double getSheetHeight() const { return m_sheetHeight; }
   /*! Distance by which every black edge has moved outward, in metres. */
   double getInkSpread() const { return m_inkSpread; }
+  /*! Height of the arc into which the sheet is bent, in metres: see setBow(). */
+  double getBow() const { return m_bow; }
+  /*! Direction of the axis about which the sheet is bent, in radians from +x toward +y of the marker frame. */
+  double getBowAxis() const { return m_bowAxis; }
   /*! Codeword of the marker, sector 0 its most significant bit; empty for a family without a code. */
   const std::optional<std::uint32_t> &getCodeword() const { return m_codeword; }
   /*! Number of sectors of the code track. */
@@ -100,6 +106,8 @@ private:
   double m_sheetHeight;                    //!< Height of the white sheet, in metres.
   double m_ringRatio = 0.;                 //!< Inner over outer radius of the ring.
   double m_inkSpread = 0.;                 //!< Outward displacement of black edges, in metres.
+  double m_bow = 0.;                       //!< Height of the sheet's arc, in metres.
+  double m_bowAxis = 0.;                   //!< Axis of the bend, in radians.
   unsigned int m_sectors = 0;              //!< Number of sectors of the code track.
   std::optional<std::uint32_t> m_codeword; //!< Codeword, where there is one.
   vpImage<unsigned char> m_picture;        //!< Picture of a tag or bitmap.
