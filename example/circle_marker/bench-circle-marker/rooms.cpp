@@ -40,7 +40,7 @@ struct Visit
 {
   explicit Visit(const SceneOptions &options) : scene(makeScene(options)), camera(scene.camera)
   {
-    outlines = &findOutlines(scene.image, false, memory);
+    outlines = &findOutlines(scene.image, sought, workers, Deadline(), memory);
     for (const EllipseCandidate &outline : *outlines) {
       if (const auto poses = posesFromOutline(outline.points, camera, 0.5 * markerSize)) {
         if (auto marker = recognise(scene.image, camera, *poses, outline, family, settings)) {
@@ -55,7 +55,9 @@ struct Visit
   vpCircleMarkerFamily family{vpCircleMarkerFamily::GOLAY23};
   DecodeSettings settings;
   OutlineMemory memory;
-  const std::vector<EllipseCandidate> *outlines = nullptr;
+  SoughtCenters sought{true, false};
+  Workers workers;
+  const ReusedList<EllipseCandidate> *outlines = nullptr;
   std::vector<Recognition> markers;
   std::vector<FitPixel> pixels;
 };
@@ -90,13 +92,15 @@ void chains(Visit &visit)
 
 void ellipses(Visit &visit)
 {
-  findEllipses(visit.scene.image, visit.memory.full.gradient, visit.memory.full.chains, visit.memory.full.candidates);
+  OutlineMemory::Scale &full = visit.memory.full;
+  findEllipses(visit.scene.image, full.gradient, full.chains, visit.sought, OtherScale(), visit.workers, Deadline(),
+               full.ellipses);
 }
 
 // All rooms up to the outlines, at both scales.
 void outlines(Visit &visit)
 {
-  visit.outlines = &findOutlines(visit.scene.image, false, visit.memory);
+  visit.outlines = &findOutlines(visit.scene.image, visit.sought, visit.workers, Deadline(), visit.memory);
 }
 
 void recogniseAll(Visit &visit)

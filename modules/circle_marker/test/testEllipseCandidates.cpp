@@ -29,9 +29,13 @@ std::vector<EllipseCandidate> ellipsesOf(const vpImage<unsigned char> &I)
   computeGradient(I, gradient);
   EdgeChains chains;
   linkEdgeChains(gradient, 14, chains);
-  std::vector<EllipseCandidate> candidates;
-  findEllipses(I, gradient, chains, candidates);
-  return candidates;
+  Workers workers;
+  EllipseMemory memory;
+  findEllipses(I, gradient, chains, SoughtCenters(), OtherScale(), workers, Deadline(), memory);
+  std::vector<EllipseCandidate> found(memory.known.outlines.begin(), memory.known.outlines.end());
+  std::sort(found.begin(), found.end(),
+            [](const EllipseCandidate &p, const EllipseCandidate &q) { return p.ellipse.a > q.ellipse.a; });
+  return found;
 }
 
 //! Largest error of centre and axes, pixels.

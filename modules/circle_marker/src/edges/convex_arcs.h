@@ -37,8 +37,10 @@ double doubledArea(const std::vector<EdgePoint> &points);
   an ellipse.
   \param points : Edge points in the order of their chain.
   \param arcs : Half-open index ranges.
+  \param deadline : When to stop; the arcs so far are kept.
 */
-void cutConvexArcs(const std::vector<EdgePoint> &points, std::vector<std::pair<std::size_t, std::size_t>> &arcs);
+void cutConvexArcs(const std::vector<EdgePoint> &points, std::vector<std::pair<std::size_t, std::size_t>> &arcs,
+                   const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

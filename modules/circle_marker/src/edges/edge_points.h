@@ -42,9 +42,9 @@ struct EdgePoint
 */
 std::optional<EdgePoint> locateEdge(const Gradient &gradient, int x, int y);
 
-/*! The edge points of a chain, in its order, appended to \e points. */
+/*! The edge points of a chain, in its order, appended to \e points; after the deadline those so far. */
 void locateChain(const Gradient &gradient, const EdgeChains &chains, const EdgeChain &chain,
-                 std::vector<EdgePoint> &points);
+                 std::vector<EdgePoint> &points, const Deadline &deadline = Deadline());
 
 /*!
   Searches along the line position + t * direction, |t| <= reach, for the strongest edge whose bright side lies within

@@ -12,305 +12,248 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Ellipses that may be the outer edge of a marker.
+ * Ellipses among the edge chains of an image.
  */
 
 #include "ellipse/ellipse_candidates.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <functional>
 
 #include "edges/convex_arcs.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// The smallest ellipse worth trying: a minor axis of 4 pixels still shows its dark band.
-constexpr double leastSemiMinor = 2.;
-// A circle seen at 85 degrees has an axis ratio of 0.087.
-constexpr double leastAxisRatio = 0.08;
-// Root-mean-square distance of a chain's points from their ellipse, pixels: noise and staircase, and a part that grows
-// with size and leaves room for lens distortion (2 pixels on a ring of radius 300).
-constexpr double fitTolerance = 0.4;
-constexpr double fitToleranceOfSize = 0.006;
-// Of longer chains only every second, third... point is fitted: more do not make a better start.
-constexpr std::size_t mostFitPoints = 100;
-// Share of the outline along which an edge must be found.
-constexpr double leastSupport = 0.5;
-// Points along a completed outline: one a pixel, no more than 128 (enough to start the refinement from).
-constexpr int fewestSamples = 24;
-constexpr int mostSamples = 128;
-// Share of an outline's points that is kept when it does not fit as a whole, and how often the choice is made again.
-constexpr double trimmedShare = 0.75;
-constexpr int trimmingPasses = 10;
 // Two ellipses are one outline if centres and axes agree to this share of the minor semi-axis (and a pixel).
 constexpr double sameOutline = 0.1;
+// Shorter chains fix no ellipse.
+constexpr std::size_t fewestPoints = 8;
+// No outline inside of the image is longer than the image's own: longer closed chains are something else.
+constexpr std::size_t longestOutline = 2;
 
-std::optional<EllipseCandidate> fitPoints(const EdgePoint *points, std::size_t count,
-                                          std::vector<Eigen::Vector2d> &buffer)
+double slackOf(const EllipseParameters &ellipse)
 {
-  buffer.clear();
-  const std::size_t stride = 1 + count / mostFitPoints;
-  for (std::size_t i = 0; i < count; i += stride) {
-    buffer.push_back(points[i].position);
-  }
-  const auto conic = fitEllipse(buffer.data(), buffer.size(), nullptr, roughFit);
-  if (!conic) {
-    return std::nullopt;
-  }
-  const auto ellipse = ellipseFromConic(*conic);
-  if (!ellipse || ellipse->b < leastSemiMinor || ellipse->b < leastAxisRatio * ellipse->a) {
-    return std::nullopt;
-  }
-  EllipseCandidate candidate;
-  candidate.conic = *conic;
-  candidate.ellipse = *ellipse;
-  return candidate;
+  return 1. + sameOutline * ellipse.b;
 }
 
-double rootMeanSquareDistance(const EllipseCandidate &candidate, const EdgePoint *points, std::size_t count)
+// Twice the signed area that a chain of pixels encloses, as doubledArea().
+std::int64_t doubledPixelArea(const EdgeChains &chains, const EdgeChain &chain)
 {
-  double sum = 0.;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double distance = sampsonDistance(candidate.conic, points[i].position);
-    sum += distance * distance;
+  std::int64_t area = 0;
+  EdgePixel previous = chains.pixels[chain.end - 1];
+  for (std::size_t i = chain.begin; i < chain.end; ++i) {
+    const EdgePixel here = chains.pixels[i];
+    area += previous.x * here.y - previous.y * here.x;
+    previous = here;
   }
-  return std::sqrt(sum / static_cast<double>(count));
+  return area;
 }
-
-double tolerance(const EllipseParameters &ellipse)
-{
-  return fitTolerance + fitToleranceOfSize * ellipse.a;
-}
-
-// Point and outward unit normal of an ellipse at a parameter angle.
-EdgePoint pointOfEllipse(const EllipseParameters &ellipse, double parameter)
-{
-  const Eigen::Vector2d major(std::cos(ellipse.angle), std::sin(ellipse.angle));
-  const Eigen::Vector2d minor(-major.y(), major.x());
-  const double c = std::cos(parameter);
-  const double s = std::sin(parameter);
-  EdgePoint point;
-  point.position = ellipse.center + ellipse.a * c * major + ellipse.b * s * minor;
-  point.normal = (ellipse.b * c * major + ellipse.a * s * minor).normalized();
-  return point;
-}
-
-// Searches the whole outline for edges; leaves them in candidate.points and their share in candidate.support.
-void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double reach)
-{
-  const EllipseParameters &ellipse = candidate.ellipse;
-  const double perimeter = M_PI * (ellipse.a + ellipse.b); // of the circle of mean radius: right to 4 % at ratio 0.4
-  const int samples = std::clamp(static_cast<int>(perimeter), fewestSamples, mostSamples);
-  candidate.points.clear();
-  int found = 0;
-  for (int i = 0; i < samples; ++i) {
-    const EdgePoint where = pointOfEllipse(ellipse, 2. * M_PI * i / samples);
-    const auto edge = searchEdge(gradient, where.position, where.normal, reach);
-    if (edge && std::abs(sampsonDistance(candidate.conic, edge->position)) <= std::max(reach, 1.)) {
-      candidate.points.push_back(*edge);
-      ++found;
-    }
-  }
-  candidate.support = static_cast<double>(found) / samples;
-}
-
-// Step between the brightest pixel outside and the darkest inside of an outline, median over it, grey levels.
-double medianContrast(const vpImage<unsigned char> &I, const EllipseCandidate &candidate)
-{
-  constexpr int directions = 32;
-  constexpr int reach = 3; // pixels to either side: past the blur of the edge
-  std::vector<int> steps;
-  for (int i = 0; i < directions; ++i) {
-    const EdgePoint where = pointOfEllipse(candidate.ellipse, 2. * M_PI * i / directions);
-    int brightest = -1;
-    int darkest = 256;
-    for (int t = -reach; t <= reach; ++t) {
-      const Eigen::Vector2d p = where.position + t * where.normal;
-      const long u = std::lround(p.x());
-      const long v = std::lround(p.y());
-      if (u < 0 || v < 0 || u >= static_cast<long>(I.getWidth()) || v >= static_cast<long>(I.getHeight())) {
-        continue;
-      }
-      const int grey = I[static_cast<unsigned int>(v)][u];
-      if (t > 0) {
-        brightest = std::max(brightest, grey);
-      }
-      else {
-        darkest = std::min(darkest, grey);
-      }
-    }
-    if (brightest >= 0 && darkest <= 255) {
-      steps.push_back(brightest - darkest);
-    }
-  }
-  if (steps.empty()) {
-    return 0.;
-  }
-  std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2), steps.end());
-  return steps[steps.size() / 2];
-}
-
-class Finder
-{
-public:
-  Finder(const vpImage<unsigned char> &I, const Gradient &gradient, std::vector<EllipseCandidate> &candidates)
-      : m_image(I), m_gradient(gradient), m_candidates(candidates)
-  {
-  }
-
-  // Tries a run of edge points as one outline; a whole outline may have caught a piece of something else.
-  EllipseReject tryPoints(const EdgePoint *points, std::size_t count, bool isWhole)
-  {
-    auto candidate = fitPoints(points, count, m_buffer);
-    if (!candidate || candidate->ellipse.a > m_image.getWidth() + m_image.getHeight()) {
-      return EllipseReject::NOT_AN_ELLIPSE;
-    }
-    if (rootMeanSquareDistance(*candidate, points, count) > tolerance(candidate->ellipse)) {
-      candidate = isWhole ? fitMost(*candidate, points, count) : std::nullopt;
-      if (!candidate) {
-        return EllipseReject::BAD_FIT;
-      }
-    }
-    return complete(*candidate);
-  }
-
-  // Whether most of the points lie on an outline that is already known.
-  bool isKnown(const EdgePoint *points, std::size_t count) const
-  {
-    for (const EllipseCandidate &known : m_candidates) {
-      std::size_t on = 0;
-      for (std::size_t i = 0; i < count; i += 4) {
-        on += std::abs(sampsonDistance(known.conic, points[i].position)) < 1. + tolerance(known.ellipse) ? 1 : 0;
-      }
-      if (4 * on > (3 * count) / 4) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-private:
-  // An outline that has caught a piece of something else: fits what is left without the farthest points.
-  std::optional<EllipseCandidate> fitMost(const EllipseCandidate &start, const EdgePoint *points, std::size_t count)
-  {
-    EllipseCandidate candidate = start;
-    for (int pass = 0; pass < trimmingPasses; ++pass) {
-      m_distances.clear();
-      for (std::size_t i = 0; i < count; ++i) {
-        m_distances.push_back(std::abs(sampsonDistance(candidate.conic, points[i].position)));
-      }
-      const auto bound = m_distances.begin() + static_cast<std::ptrdiff_t>(trimmedShare * static_cast<double>(count));
-      std::vector<double> sorted = m_distances;
-      std::nth_element(sorted.begin(), sorted.begin() + (bound - m_distances.begin()), sorted.end());
-      const double farthest = sorted[static_cast<std::size_t>(bound - m_distances.begin())];
-      m_kept.clear();
-      for (std::size_t i = 0; i < count; ++i) {
-        if (m_distances[i] <= farthest) {
-          m_kept.push_back(points[i]);
-        }
-      }
-      auto refit = fitPoints(m_kept.data(), m_kept.size(), m_buffer);
-      if (!refit) {
-        return std::nullopt;
-      }
-      candidate = *refit;
-    }
-    if (rootMeanSquareDistance(candidate, m_kept.data(), m_kept.size()) > tolerance(candidate.ellipse)) {
-      return std::nullopt;
-    }
-    return candidate;
-  }
-
-  EllipseReject complete(EllipseCandidate &candidate)
-  {
-    // The first search forgives the extrapolation of an arc, the second only the noise.
-    for (const double reach : {1.5 + 0.08 * candidate.ellipse.b, 1.5 + 0.01 * candidate.ellipse.a}) {
-      searchOutline(m_gradient, candidate, reach);
-      if (candidate.support < 0.5 * leastSupport) {
-        return EllipseReject::LITTLE_SUPPORT;
-      }
-      auto refit = fitPoints(candidate.points.data(), candidate.points.size(), m_buffer);
-      if (!refit) {
-        return EllipseReject::NOT_AN_ELLIPSE;
-      }
-      candidate.conic = refit->conic;
-      candidate.ellipse = refit->ellipse;
-    }
-    searchOutline(m_gradient, candidate, 1.5);
-    if (candidate.support < leastSupport) {
-      return EllipseReject::LITTLE_SUPPORT;
-    }
-    if (rootMeanSquareDistance(candidate, candidate.points.data(), candidate.points.size()) >
-        tolerance(candidate.ellipse)) {
-      return EllipseReject::BAD_FIT;
-    }
-    candidate.contrast = medianContrast(m_image, candidate);
-    if (candidate.contrast < 0.25 * m_gradient.startAt) { // the step of an edge that starts a chain
-      return EllipseReject::NOT_DARK_INSIDE;
-    }
-    for (EllipseCandidate &known : m_candidates) {
-      if (isSameOutline(known.ellipse, candidate.ellipse)) {
-        if (candidate.support > known.support) {
-          known = candidate;
-        }
-        return EllipseReject::NONE;
-      }
-    }
-    m_candidates.push_back(candidate);
-    return EllipseReject::NONE;
-  }
-
-  const vpImage<unsigned char> &m_image;
-  const Gradient &m_gradient;
-  std::vector<EllipseCandidate> &m_candidates;
-  std::vector<Eigen::Vector2d> m_buffer;
-  std::vector<double> m_distances;
-  std::vector<EdgePoint> m_kept;
-};
 } // namespace
 
 bool isSameOutline(const EllipseParameters &p, const EllipseParameters &q)
 {
-  const double slack = 1. + sameOutline * std::min(p.b, q.b);
-  return (p.center - q.center).norm() < slack && std::abs(p.a - q.a) < slack && std::abs(p.b - q.b) < slack;
+  const double slack = slackOf(p.b < q.b ? p : q);
+  return std::abs(p.a - q.a) < slack && std::abs(p.b - q.b) < slack && (p.center - q.center).norm() < slack;
 }
 
-void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgeChains &chains,
-                  std::vector<EllipseCandidate> &candidates)
+void KnownOutlines::reset(int width, int height)
 {
-  candidates.clear();
-  Finder finder(I, gradient, candidates);
-  std::vector<EdgePoint> points;
-  std::vector<std::pair<std::size_t, std::size_t>> arcs;
-  std::vector<const EdgeChain *> open;
-  for (const EdgeChain &chain : chains.chains) {
-    if (!chain.closed) {
-      open.push_back(&chain);
-      continue;
+  outlines.clear();
+  m_centers.reset(width, height);
+  m_points.reset(width, height);
+  m_large.clear();
+}
+
+int KnownOutlines::find(const EllipseParameters &ellipse) const
+{
+  int same = -1;
+  const auto isSame = [&](int number) {
+    if (isSameOutline(outlines[static_cast<std::size_t>(number)].ellipse, ellipse)) {
+      same = number;
     }
-    points.clear();
-    locateChain(gradient, chains, chain, points);
-    if (points.size() < 8 || doubledArea(points) <= 0.) {
-      continue;
+    return same >= 0;
+  };
+  // Of two outlines that are the same, either both are large or their centres are less than a cell apart.
+  const double reach = std::min<double>(slackOf(ellipse), CellIndex::side);
+  if (!m_centers.any(ellipse.center.x(), ellipse.center.y(), reach, isSame) && slackOf(ellipse) > CellIndex::side) {
+    return std::any_of(m_large.begin(), m_large.end(), isSame) ? same : -1;
+  }
+  return same;
+}
+
+void KnownOutlines::take(EllipseCandidate &candidate)
+{
+  int number = find(candidate.ellipse);
+  if (number >= 0) {
+    EllipseCandidate &known = outlines[static_cast<std::size_t>(number)];
+    if (candidate.support <= known.support) {
+      return;
     }
-    if (finder.tryPoints(points.data(), points.size(), true) != EllipseReject::NONE) {
-      open.push_back(&chain);
+    std::swap(known, candidate);
+  }
+  else {
+    number = static_cast<int>(outlines.size());
+    std::swap(outlines.append(), candidate);
+  }
+  const EllipseCandidate &kept = outlines[static_cast<std::size_t>(number)];
+  m_centers.add(number, kept.ellipse.center.x(), kept.ellipse.center.y());
+  if (slackOf(kept.ellipse) > CellIndex::side) {
+    m_large.push_back(number);
+  }
+  for (const EdgePoint &point : kept.points) {
+    m_points.add(number, point.position.x(), point.position.y());
+  }
+}
+
+bool KnownOutlines::liesOn(const EllipseCandidate &known, const EdgePoint *points, std::size_t count, double scale,
+                           double shift) const
+{
+  const double slack = 1. + fitToleranceOf(known.ellipse);
+  const std::size_t stride = 4 + count / 100; // a hundred points decide as well as all
+  std::size_t on = 0;
+  std::size_t asked = 0;
+  for (std::size_t i = 0; i < count; i += stride) {
+    const Eigen::Vector2d position = scale * points[i].position + Eigen::Vector2d(shift, shift);
+    on += std::abs(sampsonDistance(known.conic, position)) < scale * slack ? 1 : 0;
+    ++asked;
+  }
+  return 4 * on > 3 * asked;
+}
+
+bool KnownOutlines::holds(const EdgePoint *points, std::size_t count, double scale, double shift) const
+{
+  // An outline that holds three quarters of the points holds one of three in the middle, a quarter of the run apart,
+  // but for a strange choice; outlines are looked for in the cells around each.
+  for (const std::size_t i : {count / 4, count / 2, 3 * count / 4}) {
+    const Eigen::Vector2d position = scale * points[i].position + Eigen::Vector2d(shift, shift);
+    const auto isOn = [&](int number) {
+      return liesOn(outlines[static_cast<std::size_t>(number)], points, count, scale, shift);
+    };
+    if (m_points.any(position.x(), position.y(), 2., isOn)) {
+      return true;
     }
   }
-  for (const EdgeChain *chain : open) {
-    points.clear();
-    locateChain(gradient, chains, *chain, points);
-    cutConvexArcs(points, arcs);
-    for (const auto &[begin, end] : arcs) {
-      if (!finder.isKnown(points.data() + begin, end - begin)) {
-        finder.tryPoints(points.data() + begin, end - begin, false);
+  return false;
+}
+
+namespace {
+// One search; what all its tasks share.
+struct Search
+{
+  const vpImage<unsigned char> &I;
+  const Gradient &gradient;
+  const EdgeChains &chains;
+  const SoughtCenters &sought;
+  const OtherScale &other;
+  const Deadline &deadline;
+  EllipseMemory &memory;
+
+  bool isKnownElsewhere(const EdgePoint *points, std::size_t count) const
+  {
+    return other.known != nullptr && other.known->holds(points, count, other.scale, other.shift);
+  }
+
+  // Proposes the outline of a run of points; whether there is one.
+  bool propose(EllipseMemory::Bench &bench, std::size_t chain, const EdgePoint *points, std::size_t count,
+               bool isWhole) const
+  {
+    EllipseMemory::Proposal &proposal = bench.proposals.append();
+    proposal.chain = chain;
+    if (bench.fitter.fit(I, gradient, points, count, isWhole, sought, proposal.candidate) == EllipseReject::NONE) {
+      return true;
+    }
+    bench.proposals.removeLast();
+    return false;
+  }
+
+  // A closed chain as one outline; open ones, and closed ones that are none, are left to be cut into arcs.
+  void closedChain(std::size_t index, EllipseMemory::Bench &bench) const
+  {
+    const EdgeChain &chain = chains.chains[index];
+    std::uint8_t &left = memory.left[index];
+    left = 0;
+    if (deadline.hasPassed()) {
+      return;
+    }
+    if (!chain.closed) {
+      left = 1;
+      return;
+    }
+    if (doubledPixelArea(chains, chain) <= 0) {
+      return;
+    }
+    const std::size_t longest = longestOutline * (I.getWidth() + I.getHeight());
+    if (chain.length() > longest) {
+      left = 1;
+      return;
+    }
+    bench.points.clear();
+    locateChain(gradient, chains, chain, bench.points);
+    if (bench.points.size() < fewestPoints || isKnownElsewhere(bench.points.data(), bench.points.size())) {
+      return;
+    }
+    left = propose(bench, index, bench.points.data(), bench.points.size(), true) ? 0 : 1;
+  }
+
+  void arcsOfChain(std::size_t index, EllipseMemory::Bench &bench) const
+  {
+    if (memory.left[index] == 0 || deadline.hasPassed()) {
+      return;
+    }
+    bench.points.clear();
+    locateChain(gradient, chains, chains.chains[index], bench.points, deadline);
+    cutConvexArcs(bench.points, bench.arcs, deadline);
+    for (const auto &[begin, end] : bench.arcs) {
+      const EdgePoint *points = bench.points.data() + begin;
+      if (deadline.hasPassed()) {
+        return;
+      }
+      if (!memory.known.holds(points, end - begin) && !isKnownElsewhere(points, end - begin)) {
+        propose(bench, index, points, end - begin, false);
       }
     }
   }
-  std::sort(candidates.begin(), candidates.end(),
-            [](const EllipseCandidate &p, const EllipseCandidate &q) { return p.ellipse.a > q.ellipse.a; });
+
+  // Keeps what was proposed, in the order of the chains: that does not depend on which thread had which chain.
+  void settle() const
+  {
+    memory.proposals.clear();
+    for (EllipseMemory::Bench &bench : memory.benches) {
+      for (EllipseMemory::Proposal &proposal : bench.proposals) {
+        memory.proposals.push_back(&proposal);
+      }
+    }
+    // Proposals of one chain lie in one bench, one behind the other; benches do not order addresses, so chains first.
+    std::sort(memory.proposals.begin(), memory.proposals.end(),
+              [](const EllipseMemory::Proposal *p, const EllipseMemory::Proposal *q) {
+                return p->chain != q->chain ? p->chain < q->chain : std::less<>()(p, q);
+              });
+    for (EllipseMemory::Proposal *proposal : memory.proposals) {
+      memory.known.take(proposal->candidate);
+    }
+    for (EllipseMemory::Bench &bench : memory.benches) {
+      bench.proposals.clear();
+    }
+  }
+};
+} // namespace
+
+void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgeChains &chains,
+                  const SoughtCenters &sought, const OtherScale &other, Workers &workers, const Deadline &deadline,
+                  EllipseMemory &memory)
+{
+  memory.benches.resize(std::max<std::size_t>(memory.benches.size(), workers.getCount()));
+  memory.left.resize(chains.chains.size());
+  memory.known.reset(gradient.width, gradient.height);
+  const Search search = {I, gradient, chains, sought, other, deadline, memory};
+  workers.run(chains.chains.size(),
+              [&](std::size_t chain, unsigned int worker) { search.closedChain(chain, memory.benches[worker]); });
+  search.settle();
+  workers.run(chains.chains.size(),
+              [&](std::size_t chain, unsigned int worker) { search.arcsOfChain(chain, memory.benches[worker]); });
+  search.settle();
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

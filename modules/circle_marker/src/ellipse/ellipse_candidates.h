@@ -18,48 +18,99 @@
 #ifndef VP_CIRCLE_MARKER_ELLIPSE_CANDIDATES_H
 #define VP_CIRCLE_MARKER_ELLIPSE_CANDIDATES_H
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "edges/edge_points.h"
-#include "ellipse/fit_conic.h"
+#include "ellipse/outline_fitter.h"
+#include "support/cell_index.h"
+#include "support/reused_list.h"
+#include "support/workers.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Why a chain of edge points was not taken for the outline of a marker. */
-enum class EllipseReject
-{
-  NONE,           //!< It was taken.
-  TOO_SHORT,      //!< Too few edge points.
-  BRIGHT_INSIDE,  //!< The outline of something bright, or no outline at all.
-  NOT_AN_ELLIPSE, //!< No ellipse fits, or its axes are out of bounds.
-  BAD_FIT,        //!< The points lie too far from the ellipse.
-  LITTLE_SUPPORT, //!< Too small a part of the ellipse has an edge in the image.
-  NOT_DARK_INSIDE //!< There is no dark band along the inside of the ellipse.
-};
-
-/*! An ellipse with a dark band on its inside and the edge points found along it. */
-struct EllipseCandidate
-{
-  Eigen::Matrix3d conic;         //!< In pixels.
-  EllipseParameters ellipse;     //!< The same, as centre, axes and angle.
-  std::vector<EdgePoint> points; //!< Along the ellipse, at most about one a pixel.
-  double support = 0.;           //!< Share of the ellipse along which an edge was found, in [0, 1].
-  double contrast = 0.;          //!< Median step from the dark band to the outside, grey levels.
-};
-
 /*! Whether two ellipses are one outline, to a tenth of their size and a pixel. */
 bool isSameOutline(const EllipseParameters &p, const EllipseParameters &q);
+
+/*! Outlines without two of the same, found by place. */
+class KnownOutlines
+{
+public:
+  /*! Forgets all; the memory is kept. */
+  void reset(int width, int height);
+
+  /*! Keeps an outline, whose memory is swapped in, or drops it: of two that are the same the better supported stays. */
+  void take(EllipseCandidate &candidate);
+
+  /*! Whether an outline of these axes is known. */
+  bool hasSame(const EllipseParameters &ellipse) const { return find(ellipse) >= 0; }
+
+  /*!
+    Whether most of the points lie on an outline that is known.
+    \param points, count : Points.
+    \param scale, shift : Where they are, in pixels of the known outlines: scale * position + shift.
+  */
+  bool holds(const EdgePoint *points, std::size_t count, double scale = 1., double shift = 0.) const;
+
+  ReusedList<EllipseCandidate> outlines; //!< All of them. Sorting them is the end of this index.
+
+private:
+  int find(const EllipseParameters &ellipse) const;
+  bool liesOn(const EllipseCandidate &known, const EdgePoint *points, std::size_t count, double scale,
+              double shift) const;
+
+  CellIndex m_centers;      //!< Outlines by their centres.
+  CellIndex m_points;       //!< Outlines by the points along them.
+  std::vector<int> m_large; //!< Outlines that may be the same though their centres are cells apart.
+};
+
+/*! Working memory of findEllipses(). */
+struct EllipseMemory
+{
+  /*! An outline that a chain has given. */
+  struct Proposal
+  {
+    std::size_t chain = 0; //!< Index of the chain.
+    EllipseCandidate candidate;
+  };
+  /*! Memory of one thread. */
+  struct Bench
+  {
+    OutlineFitter fitter;
+    std::vector<EdgePoint> points;
+    std::vector<std::pair<std::size_t, std::size_t>> arcs;
+    ReusedList<Proposal> proposals;
+  };
+  std::vector<Bench> benches;
+  std::vector<std::uint8_t> left;    //!< One per chain: whether it is still to be cut into arcs.
+  std::vector<Proposal *> proposals; //!< Of all benches, in the order of their chains.
+  KnownOutlines known;
+};
+
+/*! Outlines that are known at another scale, and where a position of this scale is there. */
+struct OtherScale
+{
+  const KnownOutlines *known = nullptr; //!< Nothing if there are none.
+  double scale = 1.;                    //!< There: scale * position + shift.
+  double shift = 0.;                    //!< Pixels.
+};
 
 /*!
   Finds the ellipses among the edge chains of an image. A closed chain is fitted as it is; the others are cut where they
   bend the wrong way or sharply, and the ellipse fitted to an arc is completed by searching its whole outline for edges.
+  The chains are shared among the workers; the result does not depend on their number.
   \param I : The image.
   \param gradient : Its gradient.
   \param chains : Its edge chains.
-  \param candidates : The ellipses, largest first; no two of the same outline.
+  \param sought : What the markers have inside.
+  \param other : Chains that lie on outlines known at another scale are left out.
+  \param workers : Threads.
+  \param deadline : When to stop; what is found by then is kept.
+  \param memory : Working memory; memory.known has the ellipses, no two of the same outline.
 */
 void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgeChains &chains,
-                  std::vector<EllipseCandidate> &candidates);
+                  const SoughtCenters &sought, const OtherScale &other, Workers &workers, const Deadline &deadline,
+                  EllipseMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

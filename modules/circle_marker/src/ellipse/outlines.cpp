@@ -18,9 +18,6 @@
 #include "ellipse/outlines.h"
 
 #include <algorithm>
-#include <future>
-
-#include <opencv2/imgproc.hpp>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -31,63 +28,86 @@ constexpr std::size_t shortestChain = 14;
 // full size or not worth it.
 constexpr double leastHalfSemiMinor = 5.;
 
-void findAt(const vpImage<unsigned char> &I, OutlineMemory::Scale &scale)
+// Rows of the image that a thread takes at once.
+constexpr int rowsAtOnce = 64;
+
+// The gradient of an image, its rows shared among the threads.
+void computeGradient(const vpImage<unsigned char> &I, Workers &workers, const Deadline &deadline, Gradient &gradient)
 {
-  computeGradient(I, scale.gradient);
-  linkEdgeChains(scale.gradient, shortestChain, scale.chains);
-  findEllipses(I, scale.gradient, scale.chains, scale.candidates);
+  prepareGradient(I, gradient);
+  const int bands = (gradient.height + rowsAtOnce - 1) / rowsAtOnce;
+  workers.run(static_cast<std::size_t>(bands), [&](std::size_t band, unsigned int) {
+    const int first = static_cast<int>(band) * rowsAtOnce;
+    if (!deadline.hasPassed()) {
+      computeGradientRows(I, first, std::min(first + rowsAtOnce, gradient.height), gradient);
+    }
+  });
 }
 
+// Every pixel of the half is the mean of four; an odd last row or column is left out.
 void halve(const vpImage<unsigned char> &I, vpImage<unsigned char> &half)
 {
   half.resize(I.getHeight() / 2, I.getWidth() / 2);
-  // An odd last row or column is left out, so that every pixel of the half is the mean of four.
-  const cv::Mat source(static_cast<int>(2 * half.getHeight()), static_cast<int>(2 * half.getWidth()), CV_8U,
-                       const_cast<unsigned char *>(I.bitmap), I.getWidth());
-  cv::Mat target(static_cast<int>(half.getHeight()), static_cast<int>(half.getWidth()), CV_8U, half.bitmap);
-  cv::resize(source, target, target.size(), 0., 0., cv::INTER_AREA);
+  for (unsigned int y = 0; y < half.getHeight(); ++y) {
+    const unsigned char *above = I[2 * y];
+    const unsigned char *below = I[2 * y + 1];
+    unsigned char *out = half[y];
+    for (unsigned int x = 0; x < half.getWidth(); ++x) {
+      const int sum = above[2 * x] + above[2 * x + 1] + below[2 * x] + below[2 * x + 1];
+      out[x] = static_cast<unsigned char>((sum + 2) >> 2);
+    }
+  }
 }
 
 // From pixels of the half-size image: pixel u' covers 2 u' and 2 u' + 1, its centre is at 2 u' + 1/2.
-EllipseCandidate enlarged(const EllipseCandidate &half)
+constexpr double halfScale = 2.;
+constexpr double halfShift = 0.5;
+
+void enlarge(EllipseCandidate &outline)
 {
-  const Eigen::Vector2d shift(0.5, 0.5);
-  EllipseCandidate full = half;
-  full.ellipse.center = 2. * half.ellipse.center + shift;
-  full.ellipse.a *= 2.;
-  full.ellipse.b *= 2.;
-  full.conic = conicFromEllipse(full.ellipse);
-  for (EdgePoint &point : full.points) {
-    point.position = 2. * point.position + shift;
+  const Eigen::Vector2d shift(halfShift, halfShift);
+  outline.ellipse.center = halfScale * outline.ellipse.center + shift;
+  outline.ellipse.a *= halfScale;
+  outline.ellipse.b *= halfScale;
+  outline.conic = conicFromEllipse(outline.ellipse);
+  for (EdgePoint &point : outline.points) {
+    point.position = halfScale * point.position + shift;
   }
-  return full;
 }
 } // namespace
 
-const std::vector<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, bool parallel, OutlineMemory &memory)
+const ReusedList<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, const SoughtCenters &sought,
+                                                 Workers &workers, const Deadline &deadline, OutlineMemory &memory)
 {
-  auto half = std::async(parallel ? std::launch::async : std::launch::deferred, [&]() {
-    halve(I, memory.halved);
-    findAt(memory.halved, memory.half);
+  OutlineMemory::Scale &full = memory.full;
+  OutlineMemory::Scale &half = memory.half;
+  computeGradient(I, workers, deadline, full.gradient);
+  workers.run(2, [&](std::size_t scale, unsigned int) {
+    if (scale == 0) {
+      linkEdgeChains(full.gradient, shortestChain, full.chains, deadline);
+    }
+    else {
+      halve(I, memory.halved);
+      computeGradient(memory.halved, half.gradient, deadline);
+      linkEdgeChains(half.gradient, shortestChain, half.chains, deadline);
+    }
   });
-  findAt(I, memory.full);
-  half.get();
-  std::vector<EllipseCandidate> &candidates = memory.full.candidates;
-  for (const EllipseCandidate &small : memory.half.candidates) {
-    if (small.ellipse.b < leastHalfSemiMinor) {
+  findEllipses(I, full.gradient, full.chains, sought, OtherScale(), workers, deadline, full.ellipses);
+  const OtherScale atFull = {&full.ellipses.known, halfScale, halfShift};
+  findEllipses(memory.halved, half.gradient, half.chains, sought, atFull, workers, deadline, half.ellipses);
+  KnownOutlines &known = full.ellipses.known;
+  for (EllipseCandidate &outline : half.ellipses.known.outlines) {
+    if (outline.ellipse.b < leastHalfSemiMinor) {
       continue;
     }
-    const EllipseCandidate candidate = enlarged(small);
-    const bool known = std::any_of(candidates.begin(), candidates.end(), [&](const EllipseCandidate &other) {
-      return isSameOutline(other.ellipse, candidate.ellipse);
-    });
-    if (!known) {
-      candidates.push_back(candidate);
+    enlarge(outline);
+    if (!known.hasSame(outline.ellipse)) {
+      known.take(outline);
     }
   }
-  std::sort(candidates.begin(), candidates.end(),
+  std::sort(known.outlines.begin(), known.outlines.end(),
             [](const EllipseCandidate &p, const EllipseCandidate &q) { return p.ellipse.a > q.ellipse.a; });
-  return candidates;
+  return known.outlines;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -32,7 +32,7 @@ struct OutlineMemory
   {
     Gradient gradient;
     EdgeChains chains;
-    std::vector<EllipseCandidate> candidates;
+    EllipseMemory ellipses;
   };
   Scale full;
   Scale half;
@@ -45,12 +45,14 @@ struct OutlineMemory
   Edges of several pixels' width (blur, motion, enlarged or compressed pictures) break into pieces at full size and are
   sharp at half; thin rings are seen at full size only. An outline that both see is taken from the full size.
   \param I : The image.
-  \param parallel : Whether the two scales are searched by two threads.
+  \param sought : What the markers have inside.
+  \param workers : Threads; the result does not depend on their number.
+  \param deadline : When to stop; what is found by then is kept.
   \param memory : Working memory.
   \return The outlines in pixels of \e I, largest first; they stay in \e memory.
 */
-const std::vector<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, bool parallel,
-                                                  OutlineMemory &memory);
+const ReusedList<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, const SoughtCenters &sought,
+                                                 Workers &workers, const Deadline &deadline, OutlineMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

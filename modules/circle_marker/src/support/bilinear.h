@@ -34,14 +34,16 @@ namespace circle_marker {
 */
 inline std::optional<double> bilinear(const vpImage<unsigned char> &I, const Eigen::Vector2d &pixel)
 {
-  const double u = std::floor(pixel.x());
-  const double v = std::floor(pixel.y());
-  if (!(u >= 0. && v >= 0. && u + 1. < I.getWidth() && v + 1. < I.getHeight())) {
+  // Both bounds are asked of the numbers themselves, so that nothing that is not one is rounded; then the whole part of
+  // a positive number is its floor, and a processor without an instruction for std::floor() is spared its call.
+  if (!(pixel.x() >= 0. && pixel.y() >= 0. && pixel.x() < I.getWidth() - 1. && pixel.y() < I.getHeight() - 1.)) {
     return std::nullopt;
   }
+  const auto u = static_cast<unsigned int>(pixel.x());
+  const auto v = static_cast<unsigned int>(pixel.y());
   const double s = pixel.x() - u;
   const double t = pixel.y() - v;
-  const unsigned char *above = I[static_cast<unsigned int>(v)] + static_cast<unsigned int>(u);
+  const unsigned char *above = I[v] + u;
   const unsigned char *below = above + I.getWidth();
   return (1. - t) * ((1. - s) * above[0] + s * above[1]) + t * ((1. - s) * below[0] + s * below[1]);
 }

@@ -1,0 +1,298 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * From a run of edge points to the outline of something dark.
+ */
+
+#include "ellipse/outline_fitter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "support/bilinear.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// The smallest ellipse worth trying: a minor axis of 4 pixels still shows its dark band.
+constexpr double leastSemiMinor = 2.;
+// A circle seen at 85 degrees has an axis ratio of 0.087.
+constexpr double leastAxisRatio = 0.08;
+// Root-mean-square distance of a chain's points from their ellipse, pixels: noise and staircase, and a part that grows
+// with size and leaves room for lens distortion (2 pixels on a ring of radius 300).
+constexpr double fitTolerance = 0.4;
+constexpr double fitToleranceOfSize = 0.006;
+// Of longer chains only every second, third... point is fitted: more do not make a better start.
+constexpr std::size_t mostFitPoints = 100;
+// Share of the outline along which an edge must be found.
+constexpr double leastSupport = 0.5;
+// Points along a completed outline: one a pixel, no more than 128 (enough to start the refinement from). The first
+// search, which only says where to look, makes do with fewer.
+constexpr int fewestSamples = 24;
+constexpr int mostSamples = 128;
+constexpr int mostFirstSamples = 48;
+// Distance of an edge from a completed outline, pixels: its own noise, and what is left of the ellipse's error.
+constexpr double onOutline = 1.5;
+// Where dark and bright are read beside an edge point, pixels: past most of the blur, short of the other side of a ring
+// of 15 pixels, which is 1.5 pixels thick.
+constexpr double besideEdge = 1.5;
+// A centre is bright (dark) if it lies this share of the step at the outline above the dark side (below the bright
+// side). The centre of a ring of 8 pixels keeps a third after the blur; a dark blob has none.
+constexpr double leastCenter = 0.1;
+// Share of an outline's points that is kept when it does not fit as a whole, and how often the choice is made again.
+constexpr double trimmedShare = 0.75;
+constexpr int trimmingPasses = 10;
+
+double rootMeanSquareDistance(const EllipseCandidate &candidate, const EdgePoint *points, std::size_t count)
+{
+  double sum = 0.;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double distance = sampsonDistance(candidate.conic, points[i].position);
+    sum += distance * distance;
+  }
+  return std::sqrt(sum / static_cast<double>(count));
+}
+
+// Walks round an ellipse in equal steps of its parameter: point and outward unit normal.
+class EllipseWalk
+{
+public:
+  EllipseWalk(const EllipseParameters &ellipse, int steps)
+      : m_ellipse(ellipse), m_major(std::cos(ellipse.angle), std::sin(ellipse.angle)),
+        m_minor(-m_major.y(), m_major.x()), m_step(std::cos(2. * M_PI / steps), std::sin(2. * M_PI / steps))
+  {
+  }
+
+  EdgePoint here() const
+  {
+    EdgePoint point;
+    point.position = m_ellipse.center + m_ellipse.a * m_at.x() * m_major + m_ellipse.b * m_at.y() * m_minor;
+    point.normal = (m_ellipse.b * m_at.x() * m_major + m_ellipse.a * m_at.y() * m_minor).normalized();
+    return point;
+  }
+
+  void next()
+  {
+    m_at =
+        Eigen::Vector2d(m_step.x() * m_at.x() - m_step.y() * m_at.y(), m_step.y() * m_at.x() + m_step.x() * m_at.y());
+  }
+
+private:
+  EllipseParameters m_ellipse;
+  Eigen::Vector2d m_major;
+  Eigen::Vector2d m_minor;
+  Eigen::Vector2d m_step;                          // cosine and sine of the step
+  Eigen::Vector2d m_at = Eigen::Vector2d::UnitX(); // and of the parameter
+};
+
+// Searches the whole outline for edges; leaves them in candidate.points and their share in candidate.support.
+void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double reach, int most)
+{
+  const EllipseParameters &ellipse = candidate.ellipse;
+  const double perimeter = M_PI * (ellipse.a + ellipse.b); // of the circle of mean radius: right to 4 % at ratio 0.4
+  const int samples = std::clamp(static_cast<int>(perimeter), fewestSamples, most);
+  candidate.points.clear();
+  EllipseWalk walk(ellipse, samples);
+  for (int i = 0; i < samples; ++i, walk.next()) {
+    const EdgePoint where = walk.here();
+    const auto edge = searchEdge(gradient, where.position, where.normal, reach);
+    if (edge && std::abs(sampsonDistance(candidate.conic, edge->position)) <= std::max(reach, 1.)) {
+      candidate.points.push_back(*edge);
+    }
+  }
+  candidate.support = static_cast<double>(candidate.points.size()) / samples;
+}
+
+// Step between the brightest pixel outside and the darkest inside of an outline, median over it, grey levels.
+double medianContrast(const vpImage<unsigned char> &I, const EllipseCandidate &candidate)
+{
+  constexpr int directions = 32;
+  constexpr int reach = 3; // pixels to either side: past the blur of the edge
+  std::array<int, directions> steps;
+  std::size_t count = 0;
+  EllipseWalk walk(candidate.ellipse, directions);
+  for (int i = 0; i < directions; ++i, walk.next()) {
+    const EdgePoint where = walk.here();
+    int brightest = -1;
+    int darkest = 256;
+    for (int t = -reach; t <= reach; ++t) {
+      const Eigen::Vector2d p = where.position + t * where.normal;
+      if (!(p.x() > -0.5 && p.y() > -0.5 && p.x() < I.getWidth() - 0.5 && p.y() < I.getHeight() - 0.5)) {
+        continue;
+      }
+      const int grey = I[static_cast<unsigned int>(p.y() + 0.5)][static_cast<unsigned int>(p.x() + 0.5)];
+      if (t > 0) {
+        brightest = std::max(brightest, grey);
+      }
+      else {
+        darkest = std::min(darkest, grey);
+      }
+    }
+    if (brightest >= 0 && darkest <= 255) {
+      steps[count++] = brightest - darkest;
+    }
+  }
+  if (count == 0) {
+    return 0.;
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(steps.begin(), middle, steps.begin() + static_cast<std::ptrdiff_t>(count));
+  return *middle;
+}
+
+// Whether the centre of an outline is like that of the markers sought, judged by the grey levels beside its edge.
+bool hasSoughtCenter(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count,
+                     const Eigen::Vector2d &center, const SoughtCenters &sought)
+{
+  if (sought.bright && sought.dark) {
+    return true;
+  }
+  const auto grey = bilinear(I, center);
+  if (!grey) {
+    return true; // cut by the image's border: what is left of it decides later
+  }
+  constexpr std::size_t samples = 16;
+  double dark = 0.;
+  double bright = 0.;
+  int seen = 0;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const EdgePoint &point = points[k * count / samples];
+    const auto inside = bilinear(I, point.position - besideEdge * point.normal);
+    const auto outside = bilinear(I, point.position + besideEdge * point.normal);
+    if (inside && outside) {
+      dark += *inside;
+      bright += *outside;
+      ++seen;
+    }
+  }
+  const double step = (bright - dark) / std::max(seen, 1);
+  const double aboveDark = *grey - dark / std::max(seen, 1);
+  return sought.bright ? aboveDark >= leastCenter * step : aboveDark <= (1. - leastCenter) * step;
+}
+} // namespace
+
+double fitToleranceOf(const EllipseParameters &ellipse)
+{
+  return fitTolerance + fitToleranceOfSize * ellipse.a;
+}
+
+EllipseReject OutlineFitter::fit(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
+                                 std::size_t count, bool isWhole, const SoughtCenters &sought,
+                                 EllipseCandidate &candidate)
+{
+  if (!fitPoints(points, count, candidate) || candidate.ellipse.a > I.getWidth() + I.getHeight()) {
+    return EllipseReject::NOT_AN_ELLIPSE;
+  }
+  if (isWhole && !hasSoughtCenter(I, points, count, candidate.ellipse.center, sought)) {
+    return EllipseReject::OTHER_CENTER;
+  }
+  if (rootMeanSquareDistance(candidate, points, count) > fitToleranceOf(candidate.ellipse) &&
+      (!isWhole || !fitMost(points, count, candidate))) {
+    return EllipseReject::BAD_FIT;
+  }
+  return complete(I, gradient, sought, candidate);
+}
+
+// An ellipse through points; leaves candidate.conic and candidate.ellipse, or tells that there is none.
+bool OutlineFitter::fitPoints(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate)
+{
+  m_positions.clear();
+  const std::size_t stride = 1 + count / mostFitPoints;
+  for (std::size_t i = 0; i < count; i += stride) {
+    m_positions.push_back(points[i].position);
+  }
+  const auto conic = fitEllipse(m_positions.data(), m_positions.size(), nullptr, roughFit);
+  if (!conic) {
+    return false;
+  }
+  const auto ellipse = ellipseFromConic(*conic);
+  if (!ellipse || ellipse->b < leastSemiMinor || ellipse->b < leastAxisRatio * ellipse->a) {
+    return false;
+  }
+  candidate.conic = *conic;
+  candidate.ellipse = *ellipse;
+  return true;
+}
+
+// An outline that has caught a piece of something else: fits what is left without the farthest points.
+bool OutlineFitter::fitMost(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate)
+{
+  const std::size_t stride = 1 + count / mostFitPoints;
+  double previous = 0.;
+  for (int pass = 0; pass < trimmingPasses; ++pass) {
+    m_distances.clear();
+    for (std::size_t i = 0; i < count; i += stride) {
+      m_distances.push_back(std::abs(sampsonDistance(candidate.conic, points[i].position)));
+    }
+    m_sorted = m_distances;
+    const auto bound =
+        m_sorted.begin() + static_cast<std::ptrdiff_t>(trimmedShare * static_cast<double>(m_distances.size()));
+    std::nth_element(m_sorted.begin(), bound, m_sorted.end());
+    m_kept.clear();
+    for (std::size_t i = 0; i < m_distances.size(); ++i) {
+      if (m_distances[i] <= *bound) {
+        m_kept.push_back(points[i * stride]);
+      }
+    }
+    if (!fitPoints(m_kept.data(), m_kept.size(), candidate)) {
+      return false;
+    }
+    // The farthest of those kept comes nearer while the choice improves.
+    if (std::abs(*bound - previous) < 0.01 * previous) {
+      break;
+    }
+    previous = *bound;
+  }
+  return rootMeanSquareDistance(candidate, m_kept.data(), m_kept.size()) <= fitToleranceOf(candidate.ellipse);
+}
+
+EllipseReject OutlineFitter::complete(const vpImage<unsigned char> &I, const Gradient &gradient,
+                                      const SoughtCenters &sought, EllipseCandidate &candidate)
+{
+  // The first search forgives the extrapolation of an arc, the second only the noise.
+  searchOutline(gradient, candidate, onOutline + 0.08 * candidate.ellipse.b, mostFirstSamples);
+  if (candidate.support < 0.5 * leastSupport) {
+    return EllipseReject::LITTLE_SUPPORT;
+  }
+  if (!fitPoints(candidate.points.data(), candidate.points.size(), candidate)) {
+    return EllipseReject::NOT_AN_ELLIPSE;
+  }
+  if (!hasSoughtCenter(I, candidate.points.data(), candidate.points.size(), candidate.ellipse.center, sought)) {
+    return EllipseReject::OTHER_CENTER;
+  }
+  searchOutline(gradient, candidate, onOutline + 0.01 * candidate.ellipse.a, mostSamples);
+  if (candidate.support < 0.5 * leastSupport) {
+    return EllipseReject::LITTLE_SUPPORT;
+  }
+  if (!fitPoints(candidate.points.data(), candidate.points.size(), candidate)) {
+    return EllipseReject::NOT_AN_ELLIPSE;
+  }
+  searchOutline(gradient, candidate, onOutline, mostSamples);
+  if (candidate.support < leastSupport) {
+    return EllipseReject::LITTLE_SUPPORT;
+  }
+  if (rootMeanSquareDistance(candidate, candidate.points.data(), candidate.points.size()) >
+      fitToleranceOf(candidate.ellipse)) {
+    return EllipseReject::BAD_FIT;
+  }
+  candidate.contrast = medianContrast(I, candidate);
+  if (candidate.contrast < 0.25 * gradient.startAt) { // the step of an edge that starts a chain
+    return EllipseReject::NOT_DARK_INSIDE;
+  }
+  return EllipseReject::NONE;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

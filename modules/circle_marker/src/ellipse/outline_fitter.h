@@ -1,0 +1,97 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * From a run of edge points to the outline of something dark.
+ */
+
+#ifndef VP_CIRCLE_MARKER_OUTLINE_FITTER_H
+#define VP_CIRCLE_MARKER_OUTLINE_FITTER_H
+
+#include <cstddef>
+#include <vector>
+
+#include <visp3/core/vpImage.h>
+
+#include "edges/edge_points.h"
+#include "ellipse/fit_conic.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! Why a chain of edge points was not taken for the outline of a marker. */
+enum class EllipseReject
+{
+  NONE,            //!< It was taken.
+  TOO_SHORT,       //!< Too few edge points.
+  BRIGHT_INSIDE,   //!< The outline of something bright, or no outline at all.
+  NOT_AN_ELLIPSE,  //!< No ellipse fits, or its axes are out of bounds.
+  BAD_FIT,         //!< The points lie too far from the ellipse.
+  LITTLE_SUPPORT,  //!< Too small a part of the ellipse has an edge in the image.
+  NOT_DARK_INSIDE, //!< There is no dark band along the inside of the ellipse.
+  OTHER_CENTER     //!< Its centre is not as bright, or as dark, as that of the markers sought.
+};
+
+/*! What the markers that are sought have inside. */
+struct SoughtCenters
+{
+  bool bright = true; //!< Markers with a white centre: rings, with a code or without.
+  bool dark = true;   //!< Markers with a black centre: discs.
+};
+
+/*! An ellipse with a dark band on its inside and the edge points found along it. */
+struct EllipseCandidate
+{
+  Eigen::Matrix3d conic = Eigen::Matrix3d::Zero(); //!< In pixels.
+  EllipseParameters ellipse;                       //!< The same, as centre, axes and angle.
+  std::vector<EdgePoint> points;                   //!< Along the ellipse, at most about one a pixel.
+  double support = 0.;                             //!< Share of the ellipse along which an edge was found, in [0, 1].
+  double contrast = 0.;                            //!< Median step from the dark band to the outside, grey levels.
+};
+
+/*!
+  Fits ellipses to runs of edge points and completes them by searching their whole outline for edges. It holds working
+  memory and no state: what it makes of a run does not depend on what it has seen before. One for each thread.
+*/
+class OutlineFitter
+{
+public:
+  /*!
+    \param I : The image.
+    \param gradient : Its gradient.
+    \param points, count : The run of edge points.
+    \param isWhole : Whether it is one outline from its beginning to its end, which may have caught a piece of something
+    else, or only an arc.
+    \param sought : What the markers have inside.
+    \param candidate : The outline, if the result is EllipseReject::NONE; undefined otherwise.
+  */
+  EllipseReject fit(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
+                    std::size_t count, bool isWhole, const SoughtCenters &sought, EllipseCandidate &candidate);
+
+private:
+  bool fitPoints(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate);
+  bool fitMost(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate);
+  EllipseReject complete(const vpImage<unsigned char> &I, const Gradient &gradient, const SoughtCenters &sought,
+                         EllipseCandidate &candidate);
+
+  std::vector<Eigen::Vector2d> m_positions; //!< Of the points of a fit.
+  std::vector<double> m_distances;          //!< Of points from an ellipse.
+  std::vector<double> m_sorted;             //!< The same in another order.
+  std::vector<EdgePoint> m_kept;            //!< What is left of an outline without a piece of something else.
+};
+
+/*! Root-mean-square distance that points may have from their ellipse, pixels. */
+double fitToleranceOf(const EllipseParameters &ellipse);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

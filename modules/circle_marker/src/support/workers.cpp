@@ -1,0 +1,142 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Threads that wait for work.
+ */
+
+#include "support/workers.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! The threads beside the caller's, and the work they are given. */
+class Workers::Team
+{
+public:
+  explicit Team(unsigned int others)
+  {
+    for (unsigned int i = 1; i <= others; ++i) {
+      m_threads.emplace_back([this, i]() { serve(i); });
+    }
+  }
+
+  ~Team()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      m_isOver = true;
+    }
+    m_hasWork.notify_all();
+    for (std::thread &thread : m_threads) {
+      thread.join();
+    }
+  }
+
+  void share(std::size_t tasks, Call call, void *task)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      m_call = call;
+      m_task = task;
+      m_tasks = tasks;
+      m_next = 0;
+      m_busy = m_threads.size();
+      m_failure = nullptr;
+      ++m_round;
+    }
+    m_hasWork.notify_all();
+    work(0);
+    std::unique_lock<std::mutex> lock(m_mutex);
+    m_isDone.wait(lock, [this]() { return m_busy == 0; });
+    if (m_failure) {
+      std::rethrow_exception(m_failure);
+    }
+  }
+
+private:
+  void serve(unsigned int worker)
+  {
+    unsigned long served = 0;
+    while (true) {
+      {
+        std::unique_lock<std::mutex> lock(m_mutex);
+        m_hasWork.wait(lock, [&]() { return m_isOver || m_round != served; });
+        if (m_isOver) {
+          return;
+        }
+        served = m_round;
+      }
+      work(worker);
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      if (--m_busy == 0) {
+        m_isDone.notify_one();
+      }
+    }
+  }
+
+  void work(unsigned int worker)
+  {
+    try {
+      for (std::size_t i = m_next++; i < m_tasks; i = m_next++) {
+        m_call(m_task, i, worker);
+      }
+    }
+    catch (...) {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      m_failure = std::current_exception();
+      m_next = m_tasks;
+    }
+  }
+
+  std::mutex m_mutex;                 //!< Guards all that follows, but for the next task.
+  std::condition_variable m_hasWork;  //!< There is a new round, or the end.
+  std::condition_variable m_isDone;   //!< No thread is busy any more.
+  bool m_isOver = false;              //!< The threads have to end.
+  unsigned long m_round = 0;          //!< Counts the calls of share().
+  std::size_t m_busy = 0;             //!< Threads at work in this round.
+  Call m_call = nullptr;              //!< What to call.
+  void *m_task = nullptr;             //!< And with what.
+  std::size_t m_tasks = 0;            //!< Number of tasks.
+  std::atomic<std::size_t> m_next{0}; //!< The task to be begun next.
+  std::exception_ptr m_failure;       //!< What a task has thrown.
+  std::vector<std::thread> m_threads; //!< The last member: its threads use the others.
+};
+
+Workers::~Workers() = default;
+
+void Workers::setCount(unsigned int count)
+{
+  count = std::max(count, 1U);
+  if (count != m_count) {
+    m_team.reset();
+    m_count = count;
+  }
+}
+
+void Workers::share(std::size_t tasks, Call call, void *task)
+{
+  if (!m_team) { // threads are started when there is work for them
+    m_team = std::make_unique<Team>(m_count - 1);
+  }
+  m_team->share(tasks, call, task);
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
