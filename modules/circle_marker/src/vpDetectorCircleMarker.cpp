@@ -18,12 +18,9 @@
 #include "vpDetectorCircleMarkerImpl.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <future>
 
 #include <visp3/core/vpException.h>
-#include <visp3/core/vpTime.h>
 
 #include "pose/hypotheses.h"
 #include "refine/measure.h"
@@ -38,9 +35,6 @@ namespace {
 constexpr unsigned int polygonPoints = 36;
 // Size of a marker whose size was not told: poses are then in units of its diameter.
 constexpr double unitSize = 1.;
-
-// Inside a marker there is room for another one in its white centre only, of this radius in units of the ring's.
-constexpr double whiteCenter = 0.4;
 
 void checkImageSize(const vpImage<unsigned char> &I)
 {
@@ -59,6 +53,16 @@ vpCameraParameters nominalCamera(const vpImage<unsigned char> &I)
   return vpCameraParameters(focal, focal, 0.5 * (I.getWidth() - 1.), 0.5 * (I.getHeight() - 1.));
 }
 
+// What the markers of the families have in their centre.
+SoughtCenters soughtCenters(const std::vector<vpCircleMarkerFamily> &families)
+{
+  const auto isDisc = [](const vpCircleMarkerFamily &family) { return family.getType() == vpCircleMarkerFamily::DISC; };
+  SoughtCenters sought;
+  sought.dark = std::any_of(families.begin(), families.end(), isDisc);
+  sought.bright = !std::all_of(families.begin(), families.end(), isDisc);
+  return sought;
+}
+
 // The image fixes the poses up to the size: everything scales with it.
 void scaleTo(double size, PosePair &poses)
 {
@@ -70,86 +74,117 @@ void scaleTo(double size, PosePair &poses)
 } // namespace
 
 /*!
-  The pipeline: an image goes through the rooms once, in this order. Two outlines never depend on one another but
-  that nothing is sought inside the code of a marker, so several threads find what one finds.
+  The pipeline: an image goes through the rooms once, in this order. Whatever the number of threads, each outline is
+  looked at on its own and what is chosen among them is chosen in their order: the results are the same.
 */
 void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
-                                          double deadline)
+                                          const Deadline &deadline)
 {
   found.clear();
-  image = I;
-  const CameraModel camera(cam);
-  const std::vector<EllipseCandidate> &outlines = findOutlines(image, settings.threads > 1, m_outlines);
-  outlineCount = static_cast<unsigned int>(outlines.size());
-  std::vector<std::optional<Found>> examined;
-  if (settings.threads > 1) {
-    examined = examineAll(outlines, size, camera, deadline);
-  }
-  for (std::size_t i = 0; i < outlines.size(); ++i) {
-    if (isPartOfFound(outlines[i].ellipse)) {
-      continue;
-    }
-    if (examined.empty() && vpTime::measureTimeMs() > deadline) {
-      break;
-    }
-    auto marker = examined.empty() ? examine(outlines[i], size, camera, m_pixels) : std::move(examined[i]);
-    if (marker) {
-      found.push_back(std::move(*marker));
-    }
-  }
   detections.clear();
-  for (const Found &marker : found) {
-    detections.push_back(marker.detection);
+  image = I;
+  m_workers.setCount(settings.threads);
+  m_benches.resize(m_workers.getCount());
+  findOutlines(image, soughtCenters(settings.families), m_workers, deadline, m_outlines);
+  outlineCount = static_cast<unsigned int>(m_outlines.full.ellipses.known.outlines.size());
+  examineAll(size, CameraModel(cam), deadline);
+  for (Examination &examination : m_examinations) {
+    if (examination.found) {
+      detections.push_back(examination.found->detection);
+      found.push_back(std::move(*examination.found));
+      examination.found.reset();
+    }
   }
 }
 
-/*! One outline through the rooms after the outlines: pose, decode, refine. */
-std::optional<vpDetectorCircleMarker::Impl::Found>
-vpDetectorCircleMarker::Impl::examine(const EllipseCandidate &outline, double size, const CameraModel &camera,
-                                      std::vector<FitPixel> &pixels) const
+/*!
+  The outlines through the rooms after them, from the largest to the smallest: read, chosen, measured. An outline that
+  is a piece of a chosen one, such as a sector of its code, waits; it gets its turn if that one turns out to be none.
+*/
+void vpDetectorCircleMarker::Impl::examineAll(double size, const CameraModel &camera, const Deadline &deadline)
 {
-  const auto poses = posesFromOutline(outline.points, camera, 0.5 * size);
-  if (!poses) {
-    return std::nullopt;
-  }
-  for (const vpCircleMarkerFamily &family : settings.families) {
-    auto marker = recognise(image, camera, *poses, outline, family, settings.decode);
-    if (!marker) {
-      continue;
-    }
-    const auto known = settings.sizes.find(marker->code.id);
-    if (known != settings.sizes.end()) {
-      scaleTo(known->second, marker->poses);
-    }
-    if (const auto measurement = measure(image, camera, *marker, settings.refinePose, pixels)) {
-      return Found{reportOf(*marker, *measurement, camera, outline.support, settings.zAlignedWithCameraAxis), *marker,
-                   outline, outlineOf(measurement->first.plane, camera, polygonPoints)};
-    }
-  }
-  return std::nullopt;
-}
-
-/*! All outlines, shared among the threads; those that the deadline leaves no time for are left empty. */
-std::vector<std::optional<vpDetectorCircleMarker::Impl::Found>>
-vpDetectorCircleMarker::Impl::examineAll(const std::vector<EllipseCandidate> &outlines, double size,
-                                         const CameraModel &camera, double deadline) const
-{
-  std::vector<std::optional<Found>> examined(outlines.size());
-  std::atomic<std::size_t> next(0);
-  const auto work = [&]() {
-    std::vector<FitPixel> pixels;
-    for (std::size_t i = next++; i < outlines.size() && vpTime::measureTimeMs() <= deadline; i = next++) {
-      examined[i] = examine(outlines[i], size, camera, pixels);
+  const ReusedList<EllipseCandidate> &outlines = m_outlines.full.ellipses.known.outlines;
+  const auto readOne = [&](std::size_t i, unsigned int worker) {
+    Examination &examination = m_examinations[i];
+    if (!examination.isRead && !deadline.hasPassed()) {
+      read(outlines[i], size, camera, m_benches[worker], examination);
     }
   };
-  std::vector<std::future<void>> workers;
-  for (unsigned int i = 0; i < settings.threads; ++i) {
-    workers.push_back(std::async(std::launch::async, work));
+  m_examinations.assign(outlines.size(), Examination());
+  bool isOver = false;
+  while (!isOver) {
+    if (m_workers.getCount() > 1) {
+      m_workers.run(outlines.size(), readOne);
+    }
+    m_chosen.clear();
+    m_chosenPlaces.reset(static_cast<int>(image.getWidth()), static_cast<int>(image.getHeight()));
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+      Examination &examination = m_examinations[i];
+      const bool isWaiting = !examination.isOver;
+      if (isWaiting && m_chosenPlaces.hold(outlines[i].ellipse)) {
+        continue;
+      }
+      if (isWaiting) {
+        readOne(i, 0);
+      }
+      if (examination.marker) {
+        m_chosenPlaces.add(outlines[i].ellipse, examination.marker->family.getType() == vpCircleMarkerFamily::DISC);
+      }
+      if (isWaiting && examination.marker) {
+        m_chosen.push_back(i);
+      }
+    }
+    m_workers.run(m_chosen.size(), [&](std::size_t k, unsigned int worker) {
+      Examination &examination = m_examinations[m_chosen[k]];
+      if (!deadline.hasPassed()) {
+        examination.found = measureMarker(outlines[m_chosen[k]], *examination.marker, camera, m_benches[worker]);
+      }
+    });
+    isOver = deadline.hasPassed();
+    bool someAreNone = false;
+    for (const std::size_t i : m_chosen) {
+      Examination &examination = m_examinations[i];
+      examination.isOver = examination.found || examination.family == settings.families.size();
+      if (!examination.found) { // it may be of the next family, and what lies inside of it has its turn
+        examination.marker.reset();
+        examination.isRead = false;
+        someAreNone = true;
+      }
+    }
+    isOver = isOver || !someAreNone;
   }
-  for (std::future<void> &worker : workers) {
-    worker.get(); // passes on what a worker has thrown
+}
+
+/*! One outline through the rooms pose and decode: the first of the families that remain and that it looks like. */
+void vpDetectorCircleMarker::Impl::read(const EllipseCandidate &outline, double size, const CameraModel &camera,
+                                        Bench &bench, Examination &examination) const
+{
+  const auto poses = posesFromOutline(outline.points, camera, 0.5 * size, bench.meters);
+  while (poses && !examination.marker && examination.family < settings.families.size()) {
+    const vpCircleMarkerFamily &family = settings.families[examination.family++];
+    examination.marker = recognise(image, camera, *poses, outline, family, settings.decode);
   }
-  return examined;
+  if (examination.marker) {
+    const auto known = settings.sizes.find(examination.marker->code.id);
+    if (known != settings.sizes.end()) {
+      scaleTo(known->second, examination.marker->poses);
+    }
+  }
+  examination.isRead = true;
+  examination.isOver = !examination.marker;
+}
+
+/*! A marker through the room refine. */
+std::optional<vpDetectorCircleMarker::Impl::Found>
+vpDetectorCircleMarker::Impl::measureMarker(const EllipseCandidate &outline, const Recognition &marker,
+                                            const CameraModel &camera, Bench &bench) const
+{
+  const auto measurement = measure(image, camera, marker, settings.refinePose, bench.pixels);
+  if (!measurement) {
+    return std::nullopt;
+  }
+  return Found{reportOf(marker, *measurement, camera, outline.support, settings.zAlignedWithCameraAxis), marker,
+               outline, outlineOf(measurement->first.plane, camera, polygonPoints)};
 }
 
 /*! The pose of a marker for another size or camera, from its outline and the image it was found in. */
@@ -166,29 +201,12 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   if (!marker || marker->code.id != known.marker.code.id) {
     return std::nullopt;
   }
-  const auto measurement = measure(image, camera, *marker, settings.refinePose, m_pixels);
+  m_benches.resize(std::max<std::size_t>(m_benches.size(), 1));
+  const auto measurement = measure(image, camera, *marker, settings.refinePose, m_benches.front().pixels);
   if (!measurement) {
     return std::nullopt;
   }
   return reportOf(*marker, *measurement, camera, known.outline.support, settings.zAlignedWithCameraAxis);
-}
-
-/*! Whether an outline is a piece of a marker that is known already: its code, or its ring again. */
-bool vpDetectorCircleMarker::Impl::isPartOfFound(const EllipseParameters &ellipse) const
-{
-  for (const Found &known : found) {
-    const vpImageEllipse &outer = known.detection.ellipse;
-    const Eigen::Vector2d center(outer.center.get_u(), outer.center.get_v());
-    const Eigen::Vector2d offset = Eigen::Rotation2Dd(-outer.angle) * (ellipse.center - center);
-    // Affine image of the ring as the unit circle: distance of the centres, and the larger reach of the outline.
-    const double distance = Eigen::Vector2d(offset.x() / outer.a, offset.y() / outer.b).norm();
-    const double reach = distance + ellipse.a / outer.a;
-    const double room = known.marker.family.getType() == vpCircleMarkerFamily::DISC ? 0. : whiteCenter;
-    if (distance < 1. && reach > room) {
-      return true;
-    }
-  }
-  return false;
 }
 
 const vpDetectorCircleMarker::Impl::Found &vpDetectorCircleMarker::Impl::at(std::size_t index) const
@@ -271,8 +289,7 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size
 {
   circle_marker::checkMarkerSize(size);
   checkImageSize(I);
-  const double deadline = m_timeout_ms > 0 ? vpTime::measureTimeMs() + static_cast<double>(m_timeout_ms) : HUGE_VAL;
-  m_impl->detect(I, size, cam, deadline);
+  m_impl->detect(I, size, cam, circle_marker::Deadline(static_cast<double>(m_timeout_ms)));
   const auto fill = [this](auto *output, auto value) {
     if (output == nullptr) {
       return;

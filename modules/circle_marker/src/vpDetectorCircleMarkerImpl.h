@@ -23,10 +23,12 @@
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
 
+#include "decode/marker_places.h"
 #include "decode/recognise.h"
 #include "ellipse/outlines.h"
 #include "refine/fit_pixels.h"
 #include "support/detector_settings.h"
+#include "support/workers.h"
 
 BEGIN_VISP_NAMESPACE
 
@@ -42,7 +44,8 @@ public:
     std::vector<vpImagePoint> polygon;       //!< Points along the outline.
   };
 
-  void detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam, double deadline);
+  void detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
+              const circle_marker::Deadline &deadline);
 
   std::optional<vpCircleMarkerDetection> measureAgain(std::size_t index, double size, const vpCameraParameters &cam);
 
@@ -58,16 +61,35 @@ public:
   unsigned int outlineCount = 0;                   //!< Outlines of the last image that were looked at.
 
 private:
-  std::optional<Found> examine(const circle_marker::EllipseCandidate &outline, double size,
-                               const circle_marker::CameraModel &camera,
-                               std::vector<circle_marker::FitPixel> &pixels) const;
-  std::vector<std::optional<Found>> examineAll(const std::vector<circle_marker::EllipseCandidate> &outlines,
-                                               double size, const circle_marker::CameraModel &camera,
-                                               double deadline) const;
-  bool isPartOfFound(const circle_marker::EllipseParameters &ellipse) const;
+  /*! How far an outline has come. */
+  struct Examination
+  {
+    std::size_t family = 0;                           //!< Index of the family to look for next.
+    bool isRead = false;                              //!< Whether that was done.
+    bool isOver = false;                              //!< Whether it is found, or is none.
+    std::optional<circle_marker::Recognition> marker; //!< What it was read as.
+    std::optional<Found> found;                       //!< What was measured of it.
+  };
+  /*! Working memory of one thread. */
+  struct Bench
+  {
+    std::vector<Eigen::Vector2d> meters;         //!< Points of an outline.
+    std::vector<circle_marker::FitPixel> pixels; //!< Of the refinement.
+  };
 
-  circle_marker::OutlineMemory m_outlines;       //!< Memory of the rooms up to the outlines.
-  std::vector<circle_marker::FitPixel> m_pixels; //!< Memory of the refinement.
+  void examineAll(double size, const circle_marker::CameraModel &camera, const circle_marker::Deadline &deadline);
+  void read(const circle_marker::EllipseCandidate &outline, double size, const circle_marker::CameraModel &camera,
+            Bench &bench, Examination &examination) const;
+  std::optional<Found> measureMarker(const circle_marker::EllipseCandidate &outline,
+                                     const circle_marker::Recognition &marker, const circle_marker::CameraModel &camera,
+                                     Bench &bench) const;
+
+  circle_marker::OutlineMemory m_outlines;    //!< Memory of the rooms up to the outlines.
+  circle_marker::Workers m_workers;           //!< Threads.
+  std::vector<Bench> m_benches;               //!< One for each thread.
+  std::vector<Examination> m_examinations;    //!< One for each outline.
+  std::vector<std::size_t> m_chosen;          //!< Outlines to be measured together.
+  circle_marker::MarkerPlaces m_chosenPlaces; //!< Where they are.
 };
 
 END_VISP_NAMESPACE

@@ -38,7 +38,13 @@ MarkerPlane planeOf(const CirclePosition &position, double radius)
 std::optional<PosePair> posesFromOutline(const std::vector<EdgePoint> &points, const CameraModel &camera, double radius)
 {
   std::vector<Eigen::Vector2d> meters;
-  meters.reserve(points.size());
+  return posesFromOutline(points, camera, radius, meters);
+}
+
+std::optional<PosePair> posesFromOutline(const std::vector<EdgePoint> &points, const CameraModel &camera, double radius,
+                                         std::vector<Eigen::Vector2d> &meters)
+{
+  meters.clear();
   for (const EdgePoint &point : points) {
     meters.push_back(camera.toMeter(point.position));
   }

@@ -40,6 +40,10 @@ MarkerPlane planeOf(const CirclePosition &position, double radius);
 */
 std::optional<PosePair> posesFromOutline(const std::vector<EdgePoint> &points, const CameraModel &camera,
                                          double radius);
+
+/*! The same with working memory for the points in the normalised image plane. */
+std::optional<PosePair> posesFromOutline(const std::vector<EdgePoint> &points, const CameraModel &camera, double radius,
+                                         std::vector<Eigen::Vector2d> &meters);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -50,7 +50,7 @@ public:
     }
   }
 
-  void share(std::size_t tasks, Call call, void *task)
+  void share(std::size_t tasks, Call call, const void *task)
   {
     {
       const std::lock_guard<std::mutex> lock(m_mutex);
@@ -113,12 +113,25 @@ private:
   unsigned long m_round = 0;          //!< Counts the calls of share().
   std::size_t m_busy = 0;             //!< Threads at work in this round.
   Call m_call = nullptr;              //!< What to call.
-  void *m_task = nullptr;             //!< And with what.
+  const void *m_task = nullptr;       //!< And with what.
   std::size_t m_tasks = 0;            //!< Number of tasks.
   std::atomic<std::size_t> m_next{0}; //!< The task to be begun next.
   std::exception_ptr m_failure;       //!< What a task has thrown.
   std::vector<std::thread> m_threads; //!< The last member: its threads use the others.
 };
+
+Workers::Workers(unsigned int count)
+{
+  setCount(count);
+}
+
+Workers::Workers(const Workers &other) : Workers(other.getCount()) {}
+
+Workers &Workers::operator=(const Workers &other)
+{
+  setCount(other.getCount());
+  return *this;
+}
 
 Workers::~Workers() = default;
 
@@ -131,7 +144,7 @@ void Workers::setCount(unsigned int count)
   }
 }
 
-void Workers::share(std::size_t tasks, Call call, void *task)
+void Workers::share(std::size_t tasks, Call call, const void *task)
 {
   if (!m_team) { // threads are started when there is work for them
     m_team = std::make_unique<Team>(m_count - 1);

@@ -20,7 +20,6 @@
 
 #include <cstddef>
 #include <memory>
-#include <type_traits>
 
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
 
@@ -33,13 +32,9 @@ namespace circle_marker {
 class Workers
 {
 public:
-  explicit Workers(unsigned int count = 1) { setCount(count); }
-  Workers(const Workers &other) { setCount(other.getCount()); }
-  Workers &operator=(const Workers &other)
-  {
-    setCount(other.getCount());
-    return *this;
-  }
+  explicit Workers(unsigned int count = 1);
+  Workers(const Workers &other);
+  Workers &operator=(const Workers &other);
   ~Workers();
 
   /*! Number of threads with the caller's; 0 counts as 1. */
@@ -51,7 +46,7 @@ public:
     \e worker, from 0 to before getCount(), is never the same for two calls at the same time. What a task throws is
     thrown on here, and tasks that were not begun are left out.
   */
-  template <class Task> void run(std::size_t tasks, Task &&task)
+  template <class Task> void run(std::size_t tasks, const Task &task)
   {
     if (m_count == 1 || tasks <= 1) {
       for (std::size_t i = 0; i < tasks; ++i) {
@@ -63,15 +58,15 @@ public:
   }
 
 private:
-  using Call = void (*)(void *task, std::size_t index, unsigned int worker);
+  using Call = void (*)(const void *task, std::size_t index, unsigned int worker);
   class Team;
 
-  template <class Task> static void call(void *task, std::size_t index, unsigned int worker)
+  template <class Task> static void call(const void *task, std::size_t index, unsigned int worker)
   {
-    (*static_cast<std::remove_reference_t<Task> *>(task))(index, worker);
+    (*static_cast<const Task *>(task))(index, worker);
   }
 
-  void share(std::size_t tasks, Call call, void *task);
+  void share(std::size_t tasks, Call call, const void *task);
 
   unsigned int m_count = 1;     //!< Number of threads with the caller's.
   std::unique_ptr<Team> m_team; //!< The others; nothing if there is none.
