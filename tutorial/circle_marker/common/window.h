@@ -90,6 +90,17 @@ public:
                                                       : std::nullopt;
   }
 
+  /*!
+    \return The character of a key that was pressed in the window, if one was; "\x1b" for Escape. vpDisplayX returns any
+    character for keys that have none, such as Shift.
+  */
+  std::optional<char> key()
+  {
+    std::string text;
+    return vpDisplay::getKeyboardEvent(m_shown, text, false) && !text.empty() ? std::optional<char>(text[0])
+                                                                              : std::nullopt;
+  }
+
 private:
   void open()
   {

@@ -18,34 +18,25 @@
 #ifndef VP_TUTORIAL_DETECTOR_COMMAND_LINE_H
 #define VP_TUTORIAL_DETECTOR_COMMAND_LINE_H
 
-#include <map>
 #include <optional>
 #include <string>
-#include <vector>
-
-#include <visp3/circle_marker/vpCircleMarkerFamily.h>
 
 #include "../common/arguments.h"
-#include "../common/visp_names.h"
+#include "../common/detection/detector_options.h"
 
 namespace tutorial {
 /*! What the program is asked to do. */
 struct Order
 {
-  std::string input;                          //!< Image, video, pattern or \@list.
-  std::optional<long> first;                  //!< First number of a pattern or video.
-  std::optional<long> last;                   //!< Last number.
-  std::string cameraFile;                     //!< XML file.
-  std::string cameraName;                     //!< Name of the camera in it.
-  double size = 0.;                           //!< Outer diameter of the ring, metres.
-  std::map<int, double> sizes;                //!< Diameters of single markers, metres, by id.
-  std::string configFile;                     //!< Settings of the detector; empty: none.
-  std::vector<vpCircleMarkerFamily> families; //!< Families to look for; empty: those of the settings.
-  std::optional<unsigned int> hamming;        //!< Most sectors to be corrected.
-  std::optional<unsigned int> threads;        //!< Number of threads.
-  std::string json;                           //!< File for the results; empty: standard output.
-  std::string overlay;                        //!< File, or pattern of files, for pictures; empty: none.
-  bool display = true;                        //!< Whether to open a window.
+  std::string input;         //!< Image, video, pattern or \@list.
+  std::optional<long> first; //!< First number of a pattern or video.
+  std::optional<long> last;  //!< Last number.
+  std::string cameraFile;    //!< XML file.
+  std::string cameraName;    //!< Name of the camera in it.
+  DetectorSettings detector; //!< What to look for.
+  std::string json;          //!< File for the results; empty: standard output.
+  std::string overlay;       //!< File, or pattern of files, for pictures; empty: none.
+  bool display = true;       //!< Whether to open a window.
 };
 
 /*! An order, or a text that was asked for instead. */

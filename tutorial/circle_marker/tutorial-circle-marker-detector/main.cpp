@@ -20,9 +20,7 @@
   Finds circular markers in images: identity, both poses, covariance.
 */
 
-#include <ctime>
 #include <exception>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -32,18 +30,18 @@
 #include <unistd.h>
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
-#include <visp3/core/vpImageConvert.h>
 #include <visp3/io/vpImageIo.h>
 
 #include "../common/camera_file.h"
-#include "../common/draw.h"
+#include "../common/detection/image_source.h"
+#include "../common/detection/json_line.h"
+#include "../common/detection/marker_overlay.h"
 #include "../common/numbered_name.h"
+#include "../common/processor_time.h"
 #include "../common/visp_names.h"
 #include "../common/whole_file.h"
 #include "../common/window.h"
 #include "command_line.h"
-#include "image_source.h"
-#include "json_line.h"
 
 using namespace tutorial;
 
@@ -55,38 +53,6 @@ void complain(const std::string &message)
   std::cerr << programName << ": " << message << std::endl;
 }
 
-/*! Time that all threads of this process have spent on a processor, milliseconds. */
-double processorMilliseconds()
-{
-  timespec now;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-//! [Settings]
-vpDetectorCircleMarker makeDetector(const Order &order)
-{
-  vpDetectorCircleMarker detector;
-  if (!order.configFile.empty()) {
-    detector.loadConfigFile(order.configFile);
-  }
-  if (!order.families.empty()) {
-    detector.setFamilies(order.families);
-  }
-  if (!order.sizes.empty()) {
-    detector.setMarkerSizes(order.sizes);
-  }
-  if (order.hamming) {
-    detector.setMaximumHammingDistance(*order.hamming);
-  }
-  if (order.threads) {
-    detector.setNbThreads(*order.threads);
-  }
-  detector.setZAlignedWithCameraAxis(true);
-  return detector;
-}
-//! [Settings]
-
 //! [Detection]
 ImageResult detectMarkers(vpDetectorCircleMarker &detector, const SourceImage &source, double size,
                           const vpCameraParameters &cam)
@@ -95,31 +61,10 @@ ImageResult detectMarkers(vpDetectorCircleMarker &detector, const SourceImage &s
   const double start = processorMilliseconds();
   detector.detect(*source.image, size, cam, cMo);
   const double end = processorMilliseconds();
-  return ImageResult{source.name, source.image->getWidth(), source.image->getHeight(), end - start,
-                     detector.getDetections()};
+  return ImageResult{source.name, source.image->getWidth(), source.image->getHeight(),
+                     end - start, detector.getDetections(), std::nullopt};
 }
 //! [Detection]
-
-/*! The image with what was found: outline, axes, centre, identity and distance. */
-vpImage<vpRGBa> overlayOf(const vpImage<unsigned char> &I, const ImageResult &result, const vpCameraParameters &cam)
-{
-  vpImage<vpRGBa> picture;
-  vpImageConvert::convert(I, picture);
-  // Pictures this wide are looked at scaled down.
-  const unsigned int thickness = I.getWidth() > 1000 ? 2 : 1;
-  for (const vpCircleMarkerDetection &detection : result.detections) {
-    drawRing(picture, detection.cMo, cam, 0.5 * detection.size, vpColor::green, thickness);
-    drawAxes(picture, detection.cMo, cam, 0.5 * detection.size, vpColor::none, thickness + 1);
-    drawMark(picture, detection.center, vpColor::yellow);
-    std::ostringstream text;
-    if (detection.family.isCoded()) {
-      text << "id " << detection.id << "  ";
-    }
-    text << std::fixed << std::setprecision(3) << detection.cMo.getTranslationVector().frobeniusNorm() << " m";
-    drawText(picture, text.str(), detection.center + vpImagePoint(detection.ellipse.a + 4., -detection.ellipse.a));
-  }
-  return picture;
-}
 
 /*!
   Reads, detects and reports one image after the other.
@@ -128,8 +73,8 @@ class Run
 {
 public:
   explicit Run(const Order &order)
-      : m_order(order), m_detector(makeDetector(order)), m_source(openSource(order.input, order.first, order.last)),
-        m_overlayName(NumberedName::parse(order.overlay))
+      : m_order(order), m_detector(makeDetector(order.detector)),
+        m_source(openSource(order.input, order.first, order.last)), m_overlayName(NumberedName::parse(order.overlay))
   {
     if (!order.overlay.empty() && !m_overlayName && m_source->size() > 1) {
       throw UsageError("--overlay names one picture for many images; use a number in the name, overlay-%04d.png");
@@ -171,7 +116,7 @@ private:
         throw vpException(vpException::ioError, source.problem);
       }
       const vpCameraParameters cam = cameraFor(source);
-      const ImageResult result = detectMarkers(m_detector, source, m_order.size, cam);
+      const ImageResult result = detectMarkers(m_detector, source, m_order.detector.size, cam);
       keep(jsonLine(result));
       showOverlay(source, result, cam);
     }
@@ -215,7 +160,7 @@ private:
     if (m_order.overlay.empty() && !m_window) {
       return;
     }
-    const vpImage<vpRGBa> picture = overlayOf(*source.image, result, cam);
+    const vpImage<vpRGBa> picture = markerOverlay(*source.image, result.detections, cam);
     if (!m_order.overlay.empty()) {
       writeOverlay(m_overlayName ? (*m_overlayName)(source.number) : m_order.overlay, picture);
     }

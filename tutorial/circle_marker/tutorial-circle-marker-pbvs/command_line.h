@@ -23,7 +23,7 @@
 #include <string>
 
 #include "../common/arguments.h"
-#include "servo_scene.h"
+#include "../common/servo/servo_scene.h"
 
 namespace tutorial {
 /*! What the program is asked to do. */

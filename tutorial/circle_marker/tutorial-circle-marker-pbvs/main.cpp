@@ -31,13 +31,13 @@
 #include <vector>
 
 #include "../common/camera_file.h"
+#include "../common/servo/live_view.h"
+#include "../common/servo/servo_loop.h"
+#include "../common/servo/servo_report.h"
+#include "../common/servo/servo_scene.h"
 #include "../common/visp_names.h"
 #include "../common/whole_file.h"
 #include "command_line.h"
-#include "live_view.h"
-#include "servo_loop.h"
-#include "servo_report.h"
-#include "servo_scene.h"
 
 using namespace tutorial;
 
@@ -64,30 +64,50 @@ ServoCamera cameraOf(const Order &order)
   return ServoCamera{camera.parameters, camera.width, camera.height};
 }
 
+/*! A servo to be run. */
+struct ServoProblem
+{
+  ServoGoal goal;            //!< Where it goes.
+  vpHomogeneousMatrix start; //!< Pose of the object at the start.
+  std::uint64_t seed = 0;    //!< Of the noise.
+};
+
 ServoProblem makeProblem(const Order &order, unsigned int run)
 {
   StartRange range;
   if (order.distance) {
     range.nearest = range.farthest = *order.distance;
   }
-  const std::uint64_t seed = order.seed + run;
-  const ServoObject object = makeObject(order.markers);
-  const ServoCamera camera = cameraOf(order);
-  return ServoProblem{camera, object, randomStart(camera, object, range, seed), seed};
+  ServoProblem problem;
+  problem.seed = order.seed + run;
+  problem.goal.camera = cameraOf(order);
+  problem.goal.object = makeObject(order.markers);
+  problem.goal.cdMo = desiredPose();
+  problem.start = randomStart(problem.goal.camera, problem.goal.object, range, problem.seed);
+  return problem;
+}
+
+ServoRecord runSimulated(const ServoProblem &problem, const Observer &observer)
+{
+  const ServoGoal &goal = problem.goal;
+  vpSimulatorCamera robot;
+  prepareRobot(robot, problem.start);
+  SimulatedEyes eyes(goal.camera, goal.object, robot, goal.cdMo, problem.seed);
+  return runServo(eyes, robot, goal, observer);
 }
 
 ServoRecord runWithDisplay(const ServoProblem &problem)
 {
   std::optional<LiveView> view;
   try {
-    view.emplace(problem);
+    view.emplace(problem.goal);
   }
   catch (const vpException &e) {
     complain(std::string("no window can be opened (") + e.what() +
              "); going on without, --display-off does so silently");
-    return runServo(problem, Observer());
+    return runSimulated(problem, Observer());
   }
-  const ServoRecord record = runServo(
+  const ServoRecord record = runSimulated(
       problem, [&view](const vpImage<unsigned char> &I, const ServoStep &step) { return view->show(I, step); });
   const bool quitByClick = !record.converged && record.reason.find("click") != std::string::npos;
   if (!quitByClick) {
@@ -99,7 +119,7 @@ ServoRecord runWithDisplay(const ServoProblem &problem)
 /*! A run's line of the table on the standard output and in runs.csv. */
 std::string runLine(const ServoProblem &problem, const ServoRecord &record)
 {
-  const ServoError &error = record.steps.back().trueError;
+  const ServoError &error = *record.steps.back().trueError;
   std::ostringstream out;
   out << problem.seed << ',' << problem.start.getTranslationVector().frobeniusNorm() << ',' << record.steps.size()
       << ',' << 1e3 * error.distance() << ',' << error.angle() * 180. / M_PI << ',' << 1e3 * error.object << ','
@@ -109,7 +129,7 @@ std::string runLine(const ServoProblem &problem, const ServoRecord &record)
 
 void printRun(const ServoProblem &problem, const ServoRecord &record)
 {
-  const ServoError &error = record.steps.back().trueError;
+  const ServoError &error = *record.steps.back().trueError;
   std::cout << "seed " << problem.seed << ": from " << std::fixed << std::setprecision(3)
             << problem.start.getTranslationVector().frobeniusNorm() << " m, " << record.steps.size()
             << " images, true pose at the end " << 1e3 * error.distance() << " mm and " << std::setprecision(4)
@@ -119,9 +139,10 @@ void printRun(const ServoProblem &problem, const ServoRecord &record)
 }
 
 /*! How far a run is from what is accepted; 1 is the limit. */
-double badness(const ServoRecord &record)
+double badness(const ServoProblem &problem, const ServoRecord &record)
 {
-  const ServoError &error = record.steps.back().trueError;
+  const double acceptedDistance = problem.goal.acceptedDistance, acceptedAngle = problem.goal.acceptedAngle;
+  const ServoError &error = *record.steps.back().trueError;
   return std::max(
       {error.distance() / acceptedDistance, error.object / acceptedDistance, error.angle() / acceptedAngle});
 }
@@ -143,13 +164,13 @@ bool carryOut(const Order &order)
   double worstDistance = 0., worstAngle = 0.;
   for (unsigned int run = 0; run < order.runs; ++run) {
     const ServoProblem problem = makeProblem(order, run);
-    const ServoRecord record = order.display ? runWithDisplay(problem) : runServo(problem, Observer());
+    const ServoRecord record = order.display ? runWithDisplay(problem) : runSimulated(problem, Observer());
     printRun(problem, record);
     table += runLine(problem, record);
     converged += record.converged ? 1 : 0;
-    worstDistance = std::max(worstDistance, record.steps.back().trueError.distance());
-    worstAngle = std::max(worstAngle, record.steps.back().trueError.angle());
-    if (!worst || badness(record) > badness(worst->second)) {
+    worstDistance = std::max(worstDistance, record.steps.back().trueError->distance());
+    worstAngle = std::max(worstAngle, record.steps.back().trueError->angle());
+    if (!worst || badness(problem, record) > badness(worst->first, worst->second)) {
       worst.emplace(problem, record);
     }
   }
@@ -159,7 +180,7 @@ bool carryOut(const Order &order)
               << std::endl;
     writeWholeText((std::filesystem::path(order.folder) / "runs.csv").string(), table);
   }
-  writeReport(order.folder, worst->first, worst->second);
+  writeReport(order.folder, worst->first.goal, worst->second);
   return converged == order.runs;
 }
 } // namespace

@@ -1,0 +1,201 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The live programs without any camera: recordings, wrong arguments, the robot that stands in.
+ */
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
+#include "live_run.h"
+
+namespace fs = std::filesystem;
+using test::Json;
+
+namespace {
+const std::string data = CIRCLE_MARKER_DATA_DIR;
+const std::string referencePicture = data + "/pictures/golay23-id5.png";
+
+bool isSaid(const std::string &text, const std::string &part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+test::Outcome runLive(const std::vector<std::string> &more, const fs::path &folder)
+{
+  std::vector<std::string> arguments = test::liveArguments({"--display-off"});
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return test::runOnBus(LIVE_PROGRAM, arguments, folder, nullptr);
+}
+} // namespace
+
+TEST(LivePrograms, RecordedImagesGiveTheDetectorsLines)
+{
+  const fs::path folder = test::emptyFolder();
+  for (const std::string name : {"img3.png", "img5.png"}) {
+    fs::copy_file(referencePicture, folder / name);
+  }
+  const test::Outcome live = runLive({"--source", "img%d.png"}, folder);
+  ASSERT_EQ(live.status, 0) << live.err;
+  const std::vector<Json> lines = test::linesOf(live.out);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[1]["image"], "img5.png");
+  const test::Outcome still =
+      test::run(DETECTOR_PROGRAM, test::liveArguments({"--display-off", "--input", "img%d.png"}), folder);
+  const std::vector<Json> expected = test::linesOf(still.out);
+  ASSERT_EQ(expected.size(), 2U);
+  EXPECT_EQ(lines[0]["markers"], expected[0]["markers"]);
+  EXPECT_TRUE(lines[0]["latency_ms"].is_null());
+}
+
+TEST(LivePrograms, UnreadableImageOfARecordingIsLeftOut)
+{
+  const fs::path folder = test::emptyFolder();
+  fs::copy_file(referencePicture, folder / "img1.png");
+  std::ofstream(folder / "img2.png") << "no picture";
+  const test::Outcome outcome = runLive({"--source", "img%d.png", "--json", "o.jsonl"}, folder);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_TRUE(isSaid(outcome.err, "tutorial-circle-marker-detector-live: \"img2.png\" is left out")) << outcome.err;
+  EXPECT_EQ(test::linesOf(test::contentOf(folder / "o.jsonl")).size(), 1U);
+}
+
+TEST(LivePrograms, OpenCvReadsWhatItIsGiven)
+{
+  const fs::path folder = test::emptyFolder();
+  for (const std::string name : {"img0000.png", "img0001.png"}) {
+    fs::copy_file(referencePicture, folder / name);
+  }
+  const test::Outcome outcome = runLive({"--source", "opencv:img%04d.png"}, folder);
+  if (isSaid(outcome.err, "built without OpenCV's cameras")) {
+    GTEST_SKIP() << outcome.err;
+  }
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Json> lines = test::linesOf(outcome.out);
+  ASSERT_EQ(lines.size(), 2U);
+  EXPECT_EQ(lines[1]["image"], "opencv:img%04d.png#1");
+  ASSERT_EQ(lines[1]["markers"].size(), 1U);
+  EXPECT_EQ(lines[1]["markers"][0]["id"], 5);
+}
+
+TEST(LivePrograms, CamerasThatAreNotThere)
+{
+  const fs::path folder = test::emptyFolder();
+  const std::pair<std::string, std::string> cases[] = {{"v4l2:/dev/video99", "there is no such device"},
+                                                       {"v4l2:/dev/null", "it is no V4L2 device"},
+                                                       {"v4l2:" + referencePicture, "it is no V4L2 device"},
+                                                       {"opencv:99", "OpenCV cannot open the camera"},
+                                                       {"nosuch%d.png", "no file is named like"},
+                                                       {"/nosuch/file.avi", "there is no file"}};
+  for (const auto &[source, part] : cases) {
+    const test::Outcome outcome = runLive({"--source", source}, folder);
+    EXPECT_EQ(outcome.status, 1) << source << outcome.err;
+    EXPECT_TRUE(isSaid(outcome.err, part) || isSaid(outcome.err, "built without")) << outcome.err;
+    EXPECT_TRUE(isSaid(outcome.err, "tutorial-circle-marker-detector-live: ")) << outcome.err;
+  }
+}
+
+TEST(LivePrograms, WrongArgumentsEndWithTwo)
+{
+  const fs::path folder = test::emptyFolder();
+  const std::vector<std::vector<std::string>> live = {
+      {"--nosuchoption"},
+      {"--source", "img%d.png", "--video-mode", "1280x960_mono8"},
+      {"--source", "v4l2", "--framerate", "15"},
+      {"--source", "v4l2", "--image-size", "1280"},
+      {"--source", "img%d.png", "--image-size", "12x13"},
+      {"--image-size", "640x480"},
+      {"--format7-roi", "0,0,640,480"},
+      {"--video-mode", "format7_0", "--format7-roi", "0,0,640"},
+      {"--video-mode", "format7_0", "--format7-roi", "0,0,0,0"},
+      {"--video-mode", "format7_0", "--framerate", "15"},
+      {"--shutter", "much"},
+      {"--framerate", "-1"},
+      {"--record", "one-name.png"},
+      {"--timeout", "0"},
+      {"--count", "0"},
+      {"--family", "nosuch"},
+  };
+  for (const std::vector<std::string> &arguments : live) {
+    const test::Outcome outcome = runLive(arguments, folder);
+    EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(arguments) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("tutorial-circle-marker-detector-live: ", 0), 0U) << outcome.err;
+  }
+  const std::vector<std::vector<std::string>> servo = {
+      {"--nosuchoption"},          {"--source", "firewire"}, {"--distance", "-1"}, {"--size", "0"},
+      {"--output", "/dev/null/x"}, {"--max-speed", "100"},   {"--id", "-3"}};
+  for (std::vector<std::string> arguments : servo) {
+    arguments.push_back("--display-off");
+    const test::Outcome outcome = test::runOnBus(SERVO_PROGRAM, arguments, folder, nullptr);
+    EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(arguments) << outcome.err;
+    EXPECT_EQ(outcome.err.rfind("tutorial-circle-marker-pbvs-live: ", 0), 0U) << outcome.err;
+  }
+  EXPECT_TRUE(test::filesIn(folder).empty());
+}
+
+TEST(LivePrograms, HelpNamesEveryOption)
+{
+  const fs::path folder = test::emptyFolder();
+  const test::Outcome live = test::runOnBus(LIVE_PROGRAM, {"--help"}, folder, nullptr);
+  EXPECT_EQ(live.status, 0);
+  for (const std::string option : {"--source", "--video-mode", "--framerate", "--format7-roi", "--shutter", "--gain",
+                                   "--record", "--list-cameras", "--display-off", "--timeout"}) {
+    EXPECT_TRUE(isSaid(live.out, option)) << option;
+  }
+  EXPECT_EQ(test::runOnBus(SERVO_PROGRAM, {"--help"}, folder, nullptr).status, 0);
+  EXPECT_EQ(test::runOnBus(LIVE_PROGRAM, {"--list-cameras"}, folder, nullptr).status, 0);
+}
+
+TEST(LivePrograms, WithoutADisplayTheDetectorGoesOn)
+{
+  const fs::path folder = test::emptyFolder();
+  const test::Outcome outcome = test::runOnBus(
+      "env",
+      [] {
+        std::vector<std::string> arguments = {"-u", "DISPLAY", LIVE_PROGRAM};
+        const std::vector<std::string> more = test::liveArguments({"--source", referencePicture, "--json", "o.jsonl"});
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return arguments;
+      }(),
+      folder, nullptr);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_TRUE(isSaid(outcome.err, "no window can be opened")) << outcome.err;
+  EXPECT_EQ(test::linesOf(test::contentOf(folder / "o.jsonl")).size(), 1U);
+}
+
+TEST(LivePrograms, ServoWithTheRobotThatStandsIn)
+{
+  const fs::path folder = test::emptyFolder();
+  const test::Outcome outcome = test::runOnBus(
+      SERVO_PROGRAM, {"--display-off", "--output", ".", "--max-speed", "2", "--max-turn", "90"}, folder, nullptr);
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(isSaid(outcome.out, "true pose at the end")) << outcome.out;
+  EXPECT_TRUE(isSaid(outcome.out, ": converged")) << outcome.out;
+  EXPECT_TRUE(isSaid(test::contentOf(folder / "servo.svg"), "</svg>"));
+  EXPECT_EQ(cv::imread((folder / "overlay-final.png").string()).size(), cv::Size(1280, 960));
+}
+
+TEST(LivePrograms, ServoOnARecordingIsADryRun)
+{
+  const fs::path folder = test::emptyFolder();
+  const test::Outcome outcome = test::runOnBus(
+      SERVO_PROGRAM, test::liveArguments({"--display-off", "--source", referencePicture, "--output", "."}), folder,
+      nullptr);
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_TRUE(isSaid(outcome.err, "no robot was supplied")) << outcome.err;
+  EXPECT_TRUE(isSaid(outcome.err, "there are no more images")) << outcome.err;
+}

@@ -1,0 +1,35 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Cameras of OpenCV.
+ */
+
+#ifndef VP_TUTORIAL_OPENCV_CAMERA_H
+#define VP_TUTORIAL_OPENCV_CAMERA_H
+
+#include <memory>
+
+#include "camera_settings.h"
+#include "frame_source.h"
+
+namespace tutorial {
+/*!
+  Opens a camera with cv::VideoCapture, by its number, or by an address: a network camera's, a GStreamer pipeline, a
+  video file.
+  \exception SourceError : If it cannot be used.
+*/
+std::unique_ptr<FrameSource> openOpenCvCamera(const CameraSettings &settings);
+} // namespace tutorial
+
+#endif

@@ -1,0 +1,138 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Options of the detector that several programs take.
+ */
+
+#include "detector_options.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "../arguments.h"
+
+namespace tutorial {
+namespace {
+std::vector<vpCircleMarkerFamily> familiesOf(const std::string &names, const std::optional<double> &ratio)
+{
+  std::vector<vpCircleMarkerFamily> families;
+  bool ratioUsed = false;
+  for (const std::string &name : splitAtCommas(names)) {
+    const vpCircleMarkerFamily family = vpCircleMarkerFamily::fromName(name);
+    const bool isRing = family.getType() == vpCircleMarkerFamily::RING;
+    ratioUsed = ratioUsed || isRing;
+    families.push_back(isRing && ratio ? vpCircleMarkerFamily::ring(*ratio) : family);
+  }
+  if (families.empty()) {
+    throw UsageError("--family names no family; use golay23, bch31, bch31r, ring or disc");
+  }
+  if (ratio && !ratioUsed) {
+    throw UsageError("--ratio is for the family ring; leave it out or add --family ring");
+  }
+  return families;
+}
+
+double checkedSize(double size, const std::string &option)
+{
+  if (!(size > 0.) || !std::isfinite(size)) {
+    throw UsageError(option + " is the outer diameter of the ring in metres and must be positive, for instance 0.18");
+  }
+  return size;
+}
+
+/*! Sizes as in 3:0.1,4:0.2. */
+std::map<int, double> sizesOf(const std::string &text)
+{
+  std::map<int, double> sizes;
+  for (const std::string &part : splitAtCommas(text)) {
+    std::istringstream in(part);
+    int id = 0;
+    char colon = 0;
+    double size = 0.;
+    if (!(in >> id >> colon >> size) || colon != ':' || id < 0 || in.peek() != std::istringstream::traits_type::eof()) {
+      throw UsageError("--sizes takes ids and diameters in metres, as 3:0.1,4:0.2, not \"" + part + "\"");
+    }
+    sizes[id] = checkedSize(size, "--sizes");
+  }
+  return sizes;
+}
+} // namespace
+
+std::vector<std::string> splitAtCommas(const std::string &text)
+{
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  std::string part;
+  while (std::getline(in, part, ',')) {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+void DetectorOptions::addTo(CLI::App &app)
+{
+  app.add_option("--size", size, "Outer diameter of the black ring, metres")->required();
+  app.add_option("--sizes", sizes, "Diameters of single markers, as 3:0.1,4:0.2");
+  app.add_option(
+      "--family", families,
+      "golay23, bch31, bch31r, ring, disc, or several with commas; golay23 or those of --config unless told");
+  app.add_option("--ratio", ratio, "Inner over outer radius of the family ring");
+  app.add_option("--hamming", hamming, "Most sectors of a code that are corrected")->check(CLI::Range(0U, 5U));
+  app.add_option("--config", configFile, "Settings of vpDetectorCircleMarker, JSON; other options go before it");
+  app.add_option("--nthreads", threads, "Number of threads")->check(CLI::Range(1U, 1024U));
+}
+
+DetectorSettings DetectorOptions::settings() const
+{
+  DetectorSettings result;
+  result.size = checkedSize(size, "--size");
+  result.sizes = sizesOf(sizes);
+  result.configFile = configFile;
+  result.hamming = hamming;
+  result.threads = threads;
+  if (!families.empty() || ratio || configFile.empty()) {
+    try {
+      result.families = familiesOf(families.empty() ? (ratio ? "ring" : "golay23") : families, ratio);
+    }
+    catch (const vpException &e) {
+      throw UsageError(e.what());
+    }
+  }
+  return result;
+}
+
+//! [Settings]
+vpDetectorCircleMarker makeDetector(const DetectorSettings &settings)
+{
+  vpDetectorCircleMarker detector;
+  if (!settings.configFile.empty()) {
+    detector.loadConfigFile(settings.configFile);
+  }
+  if (!settings.families.empty()) {
+    detector.setFamilies(settings.families);
+  }
+  if (!settings.sizes.empty()) {
+    detector.setMarkerSizes(settings.sizes);
+  }
+  if (settings.hamming) {
+    detector.setMaximumHammingDistance(*settings.hamming);
+  }
+  if (settings.threads) {
+    detector.setNbThreads(*settings.threads);
+  }
+  detector.setZAlignedWithCameraAxis(true);
+  return detector;
+}
+//! [Settings]
+} // namespace tutorial

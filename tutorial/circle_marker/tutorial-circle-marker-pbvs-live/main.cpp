@@ -1,0 +1,237 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Position-based visual servo of a robot that carries a camera, on a circular marker.
+ */
+
+/*!
+  \example tutorial-circle-marker-pbvs-live/main.cpp
+  Position-based visual servo of a robot that carries a camera, on a circular marker.
+*/
+
+#include <csignal>
+#include <exception>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <visp3/robot/vpSimulatorCamera.h>
+
+#include "../common/cameras/frame_feed.h"
+#include "../common/cameras/region_camera.h"
+#include "../common/servo/feed_eyes.h"
+#include "../common/servo/live_view.h"
+#include "../common/servo/servo_loop.h"
+#include "../common/servo/servo_report.h"
+#include "../common/visp_names.h"
+#include "../user-robot/user_robot.h"
+#include "command_line.h"
+
+using namespace tutorial;
+
+namespace {
+const std::string programName = "tutorial-circle-marker-pbvs-live";
+
+void complain(const std::string &message)
+{
+  std::cerr << programName << ": " << message << std::endl;
+}
+
+volatile std::sig_atomic_t isInterrupted = 0;
+
+void onInterrupt(int)
+{
+  isInterrupted = 1;
+}
+
+/*! The camera, whichever it is, and what the servo must know of it. */
+struct Vision
+{
+  std::optional<FrameFeed> feed; //!< A real camera's images.
+  std::unique_ptr<ServoEyes> eyes;
+  ServoCamera camera;
+};
+
+/*! The reference camera of the project's figures, data/camera.xml, or the one that was asked for. */
+ServoCamera simulatedCamera(const Order &order)
+{
+  if (order.cameraFile.empty()) {
+    return ServoCamera{vpCameraParameters(1600., 1600., 639.5, 479.5), 1280, 960};
+  }
+  const NamedCamera camera = readCamera(order.cameraFile, order.cameraName, 0, 0);
+  if (camera.width == 0 || camera.height == 0) {
+    throw CameraError("\"" + order.cameraFile +
+                      "\" does not say the size of the images; add image_width and image_height");
+  }
+  return ServoCamera{camera.parameters, camera.width, camera.height};
+}
+
+/*! The marker with its quiet zone, in the middle of the object. */
+ServoObject objectOf(const Order &order)
+{
+  ServoObject object;
+  object.circle = MountedMarker{order.id, order.detector.size, order.detector.size * 7. / 6., vpHomogeneousMatrix()};
+  return object;
+}
+
+/*! The simulated camera shows marker 5 where any is asked for. */
+ServoObject simulatedObject(const Order &order)
+{
+  ServoObject object = objectOf(order);
+  object.circle->id = order.id == anyId ? 5 : order.id;
+  return object;
+}
+
+void openSimulatedCamera(const Order &order, vpRobot &robot, Vision &vision)
+{
+  const auto *standIn = dynamic_cast<const vpSimulatorCamera *>(&robot);
+  if (standIn == nullptr) {
+    throw UsageError("the simulated camera is for the robot that stands in; for yours, add --source with its camera");
+  }
+  vision.camera = simulatedCamera(order);
+  constexpr std::uint64_t seed = 1; // of the noise
+  vision.eyes = std::make_unique<SimulatedEyes>(vision.camera, simulatedObject(order), *standIn,
+                                                desiredPose(order.distance), seed);
+}
+
+void openRealCamera(const Order &order, vpRobot &robot, Vision &vision)
+{
+  RegionCamera parameters(order.cameraFile, order.cameraName);
+  std::unique_ptr<FrameSource> source = openFrameSource(*order.camera);
+  const ImageRegion region = source->region();
+  const auto use = source->isLive() ? FrameFeed::Use::Newest : FrameFeed::Use::All;
+  vision.feed.emplace(std::move(source), use);
+  vision.eyes = std::make_unique<FeedEyes>(
+      *vision.feed, order.camera->name, order.timeout, [] { return isInterrupted != 0; }, complain);
+  // The first image says how large they are.
+  const std::optional<ServoView> first = vision.eyes->look([] {});
+  if (!first) {
+    throw SourceError("no image came from " + order.camera->name);
+  }
+  const unsigned int width = first->image.getWidth(), height = first->image.getHeight();
+  vision.camera = ServoCamera{parameters.forImage(width, height, region), width, height};
+  for (const std::string &note : parameters.newNotes()) {
+    complain(note);
+  }
+  if (dynamic_cast<const vpSimulatorCamera *>(&robot) != nullptr) {
+    complain("no robot was supplied: the velocities are computed and written, and nothing moves; see user_robot.h");
+  }
+}
+
+ServoGoal goalOf(const Order &order, const ServoCamera &camera)
+{
+  ServoGoal goal;
+  goal.camera = camera;
+  goal.object = objectOf(order);
+  goal.cdMo = desiredPose(order.distance);
+  goal.detector = order.detector;
+  goal.limits = order.limits;
+  goal.acceptedDistance = order.acceptedDistance;
+  goal.acceptedAngle = order.acceptedAngle;
+  goal.mostImages = order.mostImages;
+  return goal;
+}
+
+ServoRecord run(const Order &order, const ServoGoal &goal, ServoEyes &eyes, vpRobot &robot)
+{
+  std::optional<LiveView> view;
+  if (order.display) {
+    try {
+      view.emplace(goal);
+    }
+    catch (const vpException &e) {
+      throw UsageError(std::string("no window can be opened (") + e.what() +
+                       "), and without a window nothing starts by a click; --display-off starts at once");
+    }
+  }
+  const ServoRecord record =
+      runServo(eyes, robot, goal, [&view](const vpImage<unsigned char> &I, const ServoStep &step) {
+        if (isInterrupted != 0) {
+          return ServoWish::Quit;
+        }
+        return view ? view->show(I, step) : ServoWish::Go;
+      });
+  const bool quitByUser = isInterrupted != 0 || record.reason.find("click") != std::string::npos;
+  if (view && !quitByUser) {
+    view->showEnd(record);
+  }
+  return record;
+}
+
+void print(const ServoRecord &record)
+{
+  std::cout << record.steps.size() << " images";
+  if (!record.steps.empty() && record.steps.back().error()) {
+    const ServoError &error = *record.steps.back().error();
+    std::cout << ", " << (record.steps.back().trueError ? "true" : "measured") << " pose at the end " << std::fixed
+              << std::setprecision(3) << 1e3 * error.distance() << " mm and " << std::setprecision(4)
+              << error.angle() * 180. / M_PI << " deg from the desired one";
+  }
+  std::cout << ": " << (record.converged ? "converged" : "not converged, " + record.reason) << std::endl;
+}
+
+/*! \return Whether the servo has converged. */
+bool carryOut(const Order &order)
+{
+  if (!hasGnuplot()) {
+    throw UsageError("gnuplot, which draws servo.svg, cannot be run; install it (Debian: apt-get install gnuplot-nox)");
+  }
+  std::error_code error;
+  std::filesystem::create_directories(order.folder, error);
+  if (!std::filesystem::is_directory(order.folder)) {
+    throw UsageError("the folder \"" + order.folder + "\" cannot be made; name another with --output");
+  }
+  const std::unique_ptr<vpRobot> robot = makeUserRobot(order.robotAddress);
+  Vision vision;
+  if (order.camera) {
+    openRealCamera(order, *robot, vision);
+  }
+  else {
+    openSimulatedCamera(order, *robot, vision);
+  }
+  const ServoGoal goal = goalOf(order, vision.camera);
+  const ServoRecord record = run(order, goal, *vision.eyes, *robot);
+  print(record);
+  writeReport(order.folder, goal, record);
+  if (!record.converged) {
+    complain("the servo has not reached the desired pose: " + record.reason);
+  }
+  return record.converged;
+}
+} // namespace
+
+int main(int argc, const char *argv[])
+{
+  try {
+    const Request request = parseCommandLine(argc, argv);
+    if (!request.order) {
+      std::cout << request.text;
+      return 0;
+    }
+    std::signal(SIGINT, onInterrupt);
+    std::signal(SIGTERM, onInterrupt);
+    return carryOut(*request.order) ? 0 : 1;
+  }
+  catch (const UsageError &e) {
+    complain(e.what());
+    return 2;
+  }
+  catch (const std::exception &e) {
+    complain(e.what());
+    return 1;
+  }
+}
