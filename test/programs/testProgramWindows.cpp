@@ -16,7 +16,6 @@
  */
 
 #include <algorithm>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -24,48 +23,12 @@
 #include <gtest/gtest.h>
 
 #include "run_program.h"
+#include "screen.h"
 
 namespace fs = std::filesystem;
 
 namespace {
 const std::string data = CIRCLE_MARKER_DATA_DIR;
-
-/*! What a screen showed: how many pixels of some colours. */
-struct Screen
-{
-  std::size_t pixels = 0; //!< All pixels.
-  std::size_t grey = 0;   //!< Neither black nor white nor coloured: a camera's image.
-  std::size_t green = 0;  //!< Pure green: the outline of a marker.
-  std::size_t white = 0;  //!< Pure white: the ground of the curves.
-};
-
-/*! Counts the pixels of a file in the X window dump format, 24 bits in 32, as Xvfb keeps its screen. */
-Screen readScreen(const fs::path &file)
-{
-  const std::string bytes = test::contentOf(file);
-  const auto field = [&bytes](std::size_t index) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-      value = value << 8 | static_cast<unsigned char>(bytes.at(4 * index + i));
-    }
-    return value;
-  };
-  Screen screen;
-  constexpr std::size_t bitsPerPixelField = 11, headerSizeField = 0, numberOfColorsField = 19, bytesOfAColor = 12;
-  if (bytes.size() < 100 || field(bitsPerPixelField) != 32) {
-    return screen;
-  }
-  for (std::size_t i = field(headerSizeField) + bytesOfAColor * field(numberOfColorsField); i + 4 <= bytes.size();
-       i += 4) {
-    const int blue = static_cast<unsigned char>(bytes[i]), green = static_cast<unsigned char>(bytes[i + 1]),
-              red = static_cast<unsigned char>(bytes[i + 2]);
-    ++screen.pixels;
-    screen.grey += red == green && green == blue && red > 20 && red < 250 ? 1 : 0;
-    screen.green += green == 255 && red == 0 && blue == 0 ? 1 : 0;
-    screen.white += red == 255 && green == 255 && blue == 255 ? 1 : 0;
-  }
-  return screen;
-}
 
 /*! Runs a program under an X server of its own, with clicks of these buttons, two seconds between them. */
 test::Outcome runWithClicks(const fs::path &folder, const std::string &title, const std::vector<std::string> &buttons,
@@ -90,7 +53,7 @@ TEST(ProgramWindows, DetectorShowsWhatItFindsAndGoesOnAtAClick)
                                                "Wide", "--size", "0.18", "--json", "o.jsonl"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_TRUE(fs::exists(folder / "o.jsonl"));
-  const Screen screen = readScreen(folder / "screen-0.xwd");
+  const test::Screen screen = test::readScreen(folder / "screen-0.xwd");
   ASSERT_EQ(screen.pixels, 1400U * 1050U);
   EXPECT_GT(screen.grey, 640U * 480U / 2) << "the image is shown";
   EXPECT_GT(screen.green, 200U) << "two outlines of some 250 pixels are drawn";
@@ -104,7 +67,8 @@ TEST(ProgramWindows, ServoStartsAtALeftClickAndQuitsAtARightClick)
       {PBVS_PROGRAM, "--detector", "circle", "--seed", "3", "--distance", "4", "--output", folder.string()});
   EXPECT_EQ(outcome.status, 1) << outcome.err;
   EXPECT_NE(outcome.out.find("stopped by a right click"), std::string::npos) << outcome.out << outcome.err;
-  const Screen before = readScreen(folder / "screen-0.xwd"), after = readScreen(folder / "screen-1.xwd");
+  const test::Screen before = test::readScreen(folder / "screen-0.xwd"),
+                     after = test::readScreen(folder / "screen-1.xwd");
   ASSERT_EQ(before.pixels, 1400U * 1050U);
   EXPECT_GT(before.grey, 640U * 480U / 2) << "the camera's image is shown";
   EXPECT_GT(before.white, 100000U) << "the curves' window is shown";
