@@ -29,8 +29,14 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Samples of the track for each sector; also the number of phases tried. An eighth of a sector is 2 degrees of spin.
-constexpr unsigned int samplesPerSector = 8;
+// Samples of the track for each sector: at 40 pixels outer diameter one a pixel, and smaller markers have no more to
+// tell.
+constexpr unsigned int samplesPerSector = 4;
+// Phases of the grid of sectors that are told apart: an eighth of a sector is 2 degrees of spin.
+constexpr unsigned int phases = 8;
+// From this length of a sector, pixels, the steps between sectors stand apart and tell the phase (its mean over the
+// track: oblique markers have shorter ones). Below it all phases are tried.
+constexpr double stepsApart = 2.5;
 constexpr unsigned int mostSamples = samplesPerSector * mostSectors;
 // Blur assumed between the print and an interpolated sample, pixels: lens 0.7, pixel area 0.29, interpolation 0.4.
 constexpr double assumedBlur = 0.85;
@@ -159,34 +165,36 @@ double solveSectors(const Track &track, unsigned int sectors, double phase, Sect
   constexpr int touched = 2 * neighbours + 1;
   struct Row
   {
-    int first;
+    std::array<int, touched> sector; // from 0 to n - 1
     std::array<double, touched> weight;
   };
   static thread_local std::array<Row, mostSamples> rows;
   double mean = 0.;
+  const int n = static_cast<int>(sectors);
   for (unsigned int i = 0; i < track.samples; ++i) {
     const double angle = 2. * M_PI * (i + 0.5) / track.samples - phase;
     const int sector = static_cast<int>(std::floor(angle / sectorAngle));
     Row &row = rows[i];
-    row.first = sector - neighbours;
+    const int first = sector - neighbours;
     double previous = 0.; // the outermost sectors take all that lies beyond them
     for (int j = 0; j < touched; ++j) {
-      const double end = (row.first + j + 1) * sectorAngle;
+      // Angles lie within a turn of the first sector: one turn more or less is enough.
+      const int wrapped = first + j < 0 ? first + j + n : first + j >= n ? first + j - n : first + j;
+      row.sector[static_cast<std::size_t>(j)] = wrapped;
+      const double end = (first + j + 1) * sectorAngle;
       const double upTo = j + 1 == touched ? 1. : normal.at((end - angle) / track.blur[i]).cumulative;
       row.weight[static_cast<std::size_t>(j)] = upTo - previous;
       previous = upTo;
     }
     mean += track.grey[i] / track.samples;
   }
-  const int n = static_cast<int>(sectors);
   for (unsigned int i = 0; i < track.samples; ++i) {
     const Row &row = rows[i];
-    for (int j = 0; j < touched; ++j) {
-      const int a = ((row.first + j) % n + n) % n;
-      right[a] += row.weight[static_cast<std::size_t>(j)] * (track.grey[i] - mean);
-      for (int k = 0; k < touched; ++k) {
-        const int b = ((row.first + k) % n + n) % n;
-        normalMatrix(a, b) += row.weight[static_cast<std::size_t>(j)] * row.weight[static_cast<std::size_t>(k)];
+    for (std::size_t j = 0; j < touched; ++j) {
+      right[row.sector[j]] += row.weight[j] * (track.grey[i] - mean);
+      for (std::size_t k = 0; k <= j; ++k) {
+        const auto [least, most] = std::minmax(row.sector[j], row.sector[k]);
+        normalMatrix(most, least) += row.weight[j] * row.weight[k]; // the lower half
       }
     }
   }
@@ -195,13 +203,35 @@ double solveSectors(const Track &track, unsigned int sectors, double phase, Sect
   double squares = 0.;
   for (unsigned int i = 0; i < track.samples; ++i) {
     double predicted = mean;
-    for (int j = 0; j < touched; ++j) {
-      predicted += rows[i].weight[static_cast<std::size_t>(j)] * greys[((rows[i].first + j) % n + n) % n];
+    for (std::size_t j = 0; j < touched; ++j) {
+      predicted += rows[i].weight[j] * greys[rows[i].sector[j]];
     }
     squares += (track.grey[i] - predicted) * (track.grey[i] - predicted);
   }
   greys.array() += mean;
   return squares;
+}
+
+// The phase told by the steps between sectors: that of the harmonic of the squared steps that has one period a sector.
+// Nothing if the sectors are too short for the steps to stand apart.
+std::optional<unsigned int> likelyPhase(const Track &track, unsigned int sectors)
+{
+  double pixelAngle = 0.; // mean angle of a pixel along the track
+  double c = 0.;
+  double s = 0.;
+  for (unsigned int i = 0; i < track.samples; ++i) {
+    const double step = track.grey[(i + 1) % track.samples] - track.grey[i];
+    // The step lies between samples i and i + 1, which are half a sample after their numbers: at i + 1.
+    const double angle = 2. * M_PI * (i + 1) / samplesPerSector;
+    c += step * step * std::cos(angle);
+    s += step * step * std::sin(angle);
+    pixelAngle += track.blur[i] / (assumedBlur * track.samples);
+  }
+  if (2. * M_PI / sectors < stepsApart * pixelAngle) {
+    return std::nullopt;
+  }
+  const double phase = std::atan2(s, c) / (2. * M_PI); // of a sector
+  return static_cast<unsigned int>(std::lround(phases * (phase + 1.))) % phases;
 }
 
 // Splits the grey levels in two groups with the least spread inside them; returns the middle and half the distance.
@@ -247,8 +277,11 @@ std::optional<SectorReading> readSectors(const vpImage<unsigned char> &I, const 
   double leastSquares = HUGE_VAL;
   SectorReading reading;
   reading.sectors = sectors;
-  for (unsigned int i = 0; i < samplesPerSector; ++i) {
-    const double phase = 2. * M_PI * i / track->samples;
+  const std::optional<unsigned int> likely = likelyPhase(*track, sectors);
+  const unsigned int first = likely ? *likely + phases - 1 : 0;
+  const unsigned int count = likely ? 3 : phases; // the likely one between its neighbours
+  for (unsigned int i = first; i < first + count; ++i) {
+    const double phase = 2. * M_PI * (i % phases) / (phases * sectors);
     SectorVector greys;
     const double squares = solveSectors(*track, sectors, phase, greys);
     if (squares < leastSquares) {
