@@ -50,6 +50,16 @@ int main(int argc, char *argv[])
       ->check(CLI::Range(1, 1000000));
   app.add_option("--phantoms", phantoms, "Table of the markers found in N images that have none")
       ->check(CLI::Range(1, 1000000));
+  std::string family = "golay23";
+  app.add_option("--family", family, "Family of the markers for --reach")
+      ->check(CLI::IsMember({"golay23", "bch31", "bch31r", "ring"}))
+      ->capture_default_str();
+  std::string photographs;
+  std::string overlays;
+  app.add_option("--photographs", photographs, "Markers found in the pictures of a folder that has none")
+      ->check(CLI::ExistingDirectory);
+  app.add_option("--overlays", overlays, "With --photographs: folder to write pictures of the rings found to")
+      ->check(CLI::ExistingDirectory);
   app.allow_extras();
   try {
     app.parse(argc, argv);
@@ -67,12 +77,15 @@ int main(int argc, char *argv[])
       bench::tellRatios(std::cout, ratios);
     }
     if (reach > 0) {
-      bench::tellReach(std::cout, reach);
+      bench::tellReach(std::cout, family, reach);
     }
     if (phantoms > 0) {
       bench::tellPhantoms(std::cout, phantoms);
     }
-    if (ratios + reach + phantoms > 0) {
+    if (!photographs.empty()) {
+      bench::tellPhotographs(std::cout, photographs, overlays);
+    }
+    if (ratios + reach + phantoms > 0 || !photographs.empty()) {
       return 0;
     }
     std::vector<std::string> left = {name};

@@ -50,9 +50,9 @@ std::size_t lineOf(double minorAxis)
 }
 } // namespace
 
-void tellReach(std::ostream &out, unsigned int frames)
+void tellReach(std::ostream &out, const std::string &family, unsigned int frames)
 {
-  vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::fromName(family));
   out << "| ground | minor axis from, pixels | markers | found and rightly read | wrong id |\n|---|---|---|---|---|\n";
   unsigned int phantoms = 0;
   for (const bool clutter : {false, true}) {
@@ -60,6 +60,7 @@ void tellReach(std::ostream &out, unsigned int frames)
     Line all;
     for (unsigned int frame = 0; frame < (frames + 1) / 2; ++frame) {
       SceneOptions options;
+      options.family = family;
       options.markers = 20;
       options.leastDiameter = 17.;
       options.greatestDiameter = 60.;

@@ -164,7 +164,8 @@ Scene makeScene(const SceneOptions &options)
   const double aspect = static_cast<double>(options.width) / options.height;
   const auto columns = static_cast<unsigned int>(std::ceil(std::sqrt(options.markers * aspect)));
   const unsigned int rows = (options.markers + columns - 1) / std::max(columns, 1U);
-  const auto ids = static_cast<int>(vpSimulatedMarker::codewords(options.family).size());
+  const bool isRing = options.family == "ring";
+  const std::size_t ids = isRing ? 1 : vpSimulatedMarker::codewords(options.family).size();
   for (unsigned int i = 0; i < options.markers; ++i) {
     const double cellWidth = static_cast<double>(options.width) / columns;
     const double cellHeight = static_cast<double>(options.height) / rows;
@@ -175,9 +176,11 @@ Scene makeScene(const SceneOptions &options)
     const double u = (i % columns) * cellWidth + uniform(random, reach, std::max(cellWidth - reach, reach));
     const double v = (i / columns) * cellHeight + uniform(random, reach, std::max(cellHeight - reach, reach));
     const double tilt = uniform(random, 0., options.mostTilt);
-    const int id = static_cast<int>(random() % static_cast<unsigned int>(ids));
-    simulator.addMarker(vpSimulatedMarker::circle(options.family, id, markerSize)
-                            .setPose(randomPose(random, scene.camera, diameter, tilt, u, v)));
+    const int id = static_cast<int>(random() % ids);
+    constexpr double ringRatio = 0.8; // of the family "ring" as it is printed
+    vpSimulatedMarker marker = isRing ? vpSimulatedMarker::ring(markerSize, ringRatio)
+                                      : vpSimulatedMarker::circle(options.family, id, markerSize);
+    simulator.addMarker(marker.setPose(randomPose(random, scene.camera, diameter, tilt, u, v)));
   }
   scene.truth = simulator.render(scene.image, options.seed);
   return scene;

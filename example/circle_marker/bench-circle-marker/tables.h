@@ -19,6 +19,7 @@
 #define VP_BENCH_TABLES_H
 
 #include <ostream>
+#include <string>
 
 namespace bench {
 /*!
@@ -33,9 +34,10 @@ void tellRatios(std::ostream &out, unsigned int rounds);
   Share of the markers that are found and rightly read, by the minor axis of the ring's image; 20 markers of 17 to 60
   pixels a frame, tilts to 75 degrees, noise of 2 grey levels, half of the frames cluttered.
   \param out : Where the table goes, Markdown.
+  \param family : Name of the markers' family.
   \param frames : How many.
 */
-void tellReach(std::ostream &out, unsigned int frames);
+void tellReach(std::ostream &out, const std::string &family, unsigned int frames);
 
 /*!
   Markers found in images that have none: clutter with noise, with and without blur, and the hard images. The upper
@@ -44,6 +46,14 @@ void tellReach(std::ostream &out, unsigned int frames);
   \param images : How many.
 */
 void tellPhantoms(std::ostream &out, unsigned int images);
+
+/*!
+  Markers found in the pictures of a folder and the folders in it, which are taken to have none: each, and a table.
+  \param out : Where they go.
+  \param folder : Such as that of ViSP's data set.
+  \param overlays : Folder for pictures of the rings found, or empty.
+*/
+void tellPhotographs(std::ostream &out, const std::string &folder, const std::string &overlays);
 } // namespace bench
 
 #endif

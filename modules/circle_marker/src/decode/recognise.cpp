@@ -21,6 +21,7 @@
 #include <cmath>
 
 #include "decode/radial_profile.h"
+#include "decode/shape_evidence.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -29,6 +30,11 @@ namespace {
 constexpr double shareOfContrast = 0.3;
 // A code cannot be read on a smaller semi-minor axis, pixels: its track would be less than a pixel wide there.
 constexpr double leastCodeSemiMinor = 3.;
+// Nor where the track has fewer pixels than sectors: what is read then is made of the blur's model, not of the image.
+constexpr double leastSectorPixels = 1.;
+// The smallest plain ring that is promised to be found has a minor axis of 8 pixels, whose blurred outline shrinks by
+// up to 0.3; smaller ones have too many look-alikes.
+constexpr double leastRingSemiMinor = 3.7;
 // Share of the outline that must be seen where no code proves the marker.
 constexpr double leastSupport = 0.75;
 // A ring whose measured inner radius is this near to the family's own is taken for one of that family's ratio: by the
@@ -77,7 +83,8 @@ std::optional<Recognition> recogniseShape(const vpImage<unsigned char> &I, const
                                           const PosePair &poses, const EllipseCandidate &outline,
                                           const vpCircleMarkerFamily &family)
 {
-  if (outline.support < leastSupport) {
+  const bool isSmallRing = family.getType() == vpCircleMarkerFamily::RING && outline.ellipse.b < leastRingSemiMinor;
+  if (outline.support < leastSupport || isSmallRing) {
     return std::nullopt;
   }
   const auto profile = radialProfile(I, camera, poses[0]);
@@ -95,6 +102,9 @@ std::optional<Recognition> recogniseShape(const vpImage<unsigned char> &I, const
   const double nominal = family.getLayout().ringInner;
   const double slack = sameRatio + sameRatioPixels / outline.ellipse.b;
   result.ringInner = std::abs(*inner - nominal) < slack ? nominal : *inner;
+  if (!hasShapeAllAround(I, camera, poses[0], family.getLayout(), result.ringInner)) {
+    return std::nullopt;
+  }
   result.poses = poses;
   return result;
 }
@@ -107,7 +117,13 @@ std::optional<Recognition> recognise(const vpImage<unsigned char> &I, const Came
   if (!family.isCoded()) {
     return recogniseShape(I, camera, poses, outline, family);
   }
-  return outline.ellipse.b < leastCodeSemiMinor ? std::nullopt : recogniseCode(I, camera, poses, family, settings);
+  const vpCircleMarkerLayout &layout = family.getLayout();
+  const double trackPixels = M_PI * outline.ellipse.a * outline.ellipse.b *
+                             (layout.codeOuter * layout.codeOuter - layout.codeInner * layout.codeInner);
+  if (outline.ellipse.b < leastCodeSemiMinor || trackPixels < leastSectorPixels * family.getNbSectors()) {
+    return std::nullopt;
+  }
+  return recogniseCode(I, camera, poses, family, settings);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

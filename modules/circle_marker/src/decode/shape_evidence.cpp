@@ -1,0 +1,139 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Whether the image shows a plain ring or disc all around.
+ */
+
+#include "decode/shape_evidence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "support/bilinear.h"
+#include "support/normal_distribution.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Directions that are looked at: one for each pixel around the smallest ring.
+constexpr std::size_t directions = 32;
+// Share of them in which the shape must show: all but two. The leg of a P covers three.
+constexpr double leastShare = 0.93;
+// A direction shows it if its step is at least this share of what the median contrast makes there: noise of an eighth
+// of the contrast, four times over.
+constexpr double leastStep = 0.5;
+// Blur of an interpolated sample, pixels: as for the code track.
+constexpr double assumedBlur = 0.85;
+// Where less than this share of the contrast is to be expected, noise is not enlarged to tell it.
+constexpr double leastExpected = 0.1;
+// Where white is read in the quiet zone, and the inside of a ring, of its inner radius, and of a disc: past most of the
+// blur, as far from the edge as the print allows.
+constexpr double whiteOfQuietZone = 0.6;
+constexpr double insideOfRing = 0.65;
+constexpr double rimOfDisc = 0.8;
+constexpr double insideOfDisc = 0.4;
+
+using Greys = std::array<double, directions>;
+
+// Grey levels along a circle of the marker's plane; false if it reaches out of the image.
+bool sampleCircle(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane, double radius,
+                  Greys &greys)
+{
+  for (std::size_t i = 0; i < directions; ++i) {
+    const double angle = 2. * M_PI * static_cast<double>(i) / directions;
+    const Eigen::Vector2d point = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const auto grey = bilinear(I, camera.toPixel(plane.project(point)));
+    if (!grey) {
+      return false;
+    }
+    greys[i] = *grey;
+  }
+  return true;
+}
+
+double median(Greys greys)
+{
+  std::nth_element(greys.begin(), greys.begin() + directions / 2, greys.end());
+  return greys[directions / 2];
+}
+
+/*! A ring's or disc's profile across its rim as it is printed, 1 for white and 0 for black, and as the blur leaves it.
+ */
+struct Profile
+{
+  double ringInner;
+  double quietZone;
+
+  // Grey level at a radius; blur in units of the outer radius; surround: what lies beyond the quiet zone, unknown.
+  double at(double radius, double blur, double surround) const
+  {
+    const NormalDistribution &normal = NormalDistribution::instance();
+    const double uptoInner = ringInner > 0. ? normal.at((ringInner - radius) / blur).cumulative : 0.;
+    const double uptoOuter = normal.at((1. - radius) / blur).cumulative;
+    const double uptoMargin = normal.at((1. + quietZone - radius) / blur).cumulative;
+    return uptoInner + (uptoMargin - uptoOuter) + surround * (1. - uptoMargin);
+  }
+};
+
+// Pixels for a unit of the marker's plane along the direction of a point on its outline.
+double pixelsPerUnit(const CameraModel &camera, const MarkerPlane &plane, std::size_t direction)
+{
+  constexpr double step = 0.1; // of the radius, to either side: a secant short enough to be a tangent
+  const double angle = 2. * M_PI * static_cast<double>(direction) / directions;
+  const Eigen::Vector2d point(std::cos(angle), std::sin(angle));
+  const Eigen::Vector2d outer = camera.toPixel(plane.project((1. + step) * point));
+  const Eigen::Vector2d inner = camera.toPixel(plane.project((1. - step) * point));
+  return (outer - inner).norm() / (2. * step);
+}
+} // namespace
+
+bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                       const vpCircleMarkerLayout &layout, double ringInner)
+{
+  const bool isDisc = ringInner == 0.;
+  const double whiteRadius = 1. + whiteOfQuietZone * layout.quietZone;
+  const double darkRadius = isDisc ? rimOfDisc : 0.5 * (1. + ringInner);
+  const double insideRadius = isDisc ? insideOfDisc : insideOfRing * ringInner;
+  Greys outside;
+  Greys dark;
+  Greys inside;
+  if (!sampleCircle(I, camera, plane, whiteRadius, outside) || !sampleCircle(I, camera, plane, darkRadius, dark) ||
+      !sampleCircle(I, camera, plane, insideRadius, inside)) {
+    return false;
+  }
+  const Profile profile = {ringInner, layout.quietZone};
+  Greys expectedOuter; // with a surround as black as the ink: less it cannot be
+  Greys contrast;
+  for (std::size_t i = 0; i < directions; ++i) {
+    const double blur = assumedBlur / pixelsPerUnit(camera, plane, i);
+    expectedOuter[i] = profile.at(whiteRadius, blur, 0.) - profile.at(darkRadius, blur, 0.);
+    // A ring's contrast is told by its inner step, which the surround hardly reaches; a disc has the outer one alone.
+    const double expected =
+        isDisc ? expectedOuter[i] : profile.at(insideRadius, blur, 0.5) - profile.at(darkRadius, blur, 0.5);
+    contrast[i] = (isDisc ? outside[i] - dark[i] : inside[i] - dark[i]) / std::max(expected, leastExpected);
+  }
+  const double usual = median(contrast);
+  if (usual <= 0.) {
+    return false;
+  }
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < directions; ++i) {
+    const double outerStep = outside[i] - (isDisc ? inside[i] : dark[i]);
+    shown += contrast[i] >= leastStep * usual && outerStep >= leastStep * usual * expectedOuter[i] ? 1 : 0;
+  }
+  return static_cast<double>(shown) >= leastShare * directions;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
