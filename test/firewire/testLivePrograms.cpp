@@ -199,3 +199,28 @@ TEST(LivePrograms, ServoOnARecordingIsADryRun)
   EXPECT_TRUE(isSaid(outcome.err, "no robot was supplied")) << outcome.err;
   EXPECT_TRUE(isSaid(outcome.err, "there are no more images")) << outcome.err;
 }
+
+// As where ViSP was built without libdc1394, libv4l, X11 and OpenCV: the programs are there and say what is missing.
+TEST(LivePrograms, BuiltWithoutCamerasAndDisplay)
+{
+  const fs::path folder = test::emptyFolder();
+  const std::pair<std::string, std::string> cases[] = {{"firewire", "apt-get install libdc1394-dev"},
+                                                       {"v4l2", "apt-get install libv4l-dev"},
+                                                       {"opencv", "apt-get install libopencv-videoio-dev"}};
+  for (const auto &[source, part] : cases) {
+    const test::Outcome outcome =
+        test::runOnBus(LIVE_WITHOUT, test::liveArguments({"--source", source, "--display-off"}), folder, nullptr);
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_TRUE(isSaid(outcome.err, part)) << outcome.err;
+  }
+  const test::Outcome list = test::runOnBus(LIVE_WITHOUT, {"--list-cameras"}, folder, nullptr);
+  EXPECT_TRUE(isSaid(list.out, "no FireWire camera: this program was built without FireWire")) << list.out;
+  const test::Outcome noWindow = test::runOnBus(
+      LIVE_WITHOUT, test::liveArguments({"--source", referencePicture, "--json", "o.jsonl"}), folder, nullptr);
+  EXPECT_EQ(noWindow.status, 0) << noWindow.err;
+  EXPECT_TRUE(isSaid(noWindow.err, "this ViSP was built without a display")) << noWindow.err;
+  EXPECT_EQ(test::linesOf(test::contentOf(folder / "o.jsonl")).size(), 1U);
+  const test::Outcome servo = test::runOnBus(SERVO_WITHOUT, {"--output", "out"}, folder, nullptr);
+  EXPECT_EQ(servo.status, 2);
+  EXPECT_TRUE(isSaid(servo.err, "--display-off starts at once")) << servo.err;
+}

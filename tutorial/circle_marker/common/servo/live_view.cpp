@@ -17,39 +17,75 @@
 
 #include "live_view.h"
 
+#include <optional>
 #include <string>
+
+#include <visp3/core/vpConfig.h>
+#if defined(VISP_HAVE_DISPLAY)
+#include <visp3/gui/vpPlot.h>
+#endif
 
 #include "servo_report.h"
 
 namespace tutorial {
+#if defined(VISP_HAVE_DISPLAY)
 namespace {
 constexpr unsigned int distanceGraph = 0, angleGraph = 1, velocityGraph = 2;
-
-std::unique_ptr<vpPlot> makeCurves()
-{
-  auto curves = std::make_unique<vpPlot>(3, 700, 500, 700, 10, "Servo");
-  curves->initGraph(distanceGraph, 2);
-  curves->setTitle(distanceGraph, "Distance to go [mm]");
-  curves->initGraph(angleGraph, 2);
-  curves->setTitle(angleGraph, "Angle to go [deg]");
-  for (const unsigned int graph : {distanceGraph, angleGraph}) {
-    curves->setLegend(graph, 0, "measured");
-    curves->setLegend(graph, 1, "true");
-  }
-  curves->initGraph(velocityGraph, 6);
-  curves->setTitle(velocityGraph, "Velocity [m/s, rad/s]");
-  const std::string names[] = {"vx", "vy", "vz", "wx", "wy", "wz"};
-  for (unsigned int axis = 0; axis < 6; ++axis) {
-    curves->setLegend(velocityGraph, axis, names[axis]);
-  }
-  return curves;
 }
-} // namespace
+
+/*! The window with the curves. */
+class LiveView::Curves
+{
+public:
+  Curves() : m_plot(3, 700, 500, 700, 10, "Servo")
+  {
+    m_plot.initGraph(distanceGraph, 2);
+    m_plot.setTitle(distanceGraph, "Distance to go [mm]");
+    m_plot.initGraph(angleGraph, 2);
+    m_plot.setTitle(angleGraph, "Angle to go [deg]");
+    for (const unsigned int graph : {distanceGraph, angleGraph}) {
+      m_plot.setLegend(graph, 0, "measured");
+      m_plot.setLegend(graph, 1, "true");
+    }
+    m_plot.initGraph(velocityGraph, 6);
+    m_plot.setTitle(velocityGraph, "Velocity [m/s, rad/s]");
+    const std::string names[] = {"vx", "vy", "vz", "wx", "wy", "wz"};
+    for (unsigned int axis = 0; axis < 6; ++axis) {
+      m_plot.setLegend(velocityGraph, axis, names[axis]);
+    }
+  }
+
+  void add(const ServoStep &step)
+  {
+    const std::optional<ServoError> errors[] = {step.measured, step.trueError};
+    for (unsigned int curve = 0; curve < 2; ++curve) {
+      if (const auto &error = errors[curve]) {
+        m_plot.plot(distanceGraph, curve, step.iteration, 1e3 * error->distance());
+        m_plot.plot(angleGraph, curve, step.iteration, error->angle() * 180. / M_PI);
+      }
+    }
+    m_plot.plot(velocityGraph, step.iteration, step.velocity);
+  }
+
+private:
+  vpPlot m_plot; //!< Errors and velocities.
+};
+#else
+/*! Without a display there is nothing to draw curves in. */
+class LiveView::Curves
+{
+public:
+  Curves() { throw vpException(vpException::notImplementedError, "this ViSP was built without a display"); }
+  void add(const ServoStep &) {}
+};
+#endif
 
 LiveView::LiveView(const ServoGoal &goal)
-    : m_goal(goal), m_window("Servo on circular markers", 10, 10), m_curves(makeCurves())
+    : m_goal(goal), m_window("Servo on circular markers", 10, 10), m_curves(std::make_unique<Curves>())
 {
 }
+
+LiveView::~LiveView() = default;
 
 ServoWish LiveView::show(const vpImage<unsigned char> &I, const ServoStep &step)
 {
@@ -62,22 +98,9 @@ ServoWish LiveView::show(const vpImage<unsigned char> &I, const ServoStep &step)
     m_isRunning = *click == vpMouseButton::button1 ? !m_isRunning : m_isRunning;
   }
   if (m_isRunning) {
-    plot(step);
+    m_curves->add(step);
   }
   return m_isRunning ? ServoWish::Go : ServoWish::Hold;
-}
-
-void LiveView::plot(const ServoStep &step)
-{
-  if (step.measured) {
-    m_curves->plot(distanceGraph, 0, step.iteration, 1e3 * step.measured->distance());
-    m_curves->plot(angleGraph, 0, step.iteration, step.measured->angle() * 180. / M_PI);
-  }
-  if (step.trueError) {
-    m_curves->plot(distanceGraph, 1, step.iteration, 1e3 * step.trueError->distance());
-    m_curves->plot(angleGraph, 1, step.iteration, step.trueError->angle() * 180. / M_PI);
-  }
-  m_curves->plot(velocityGraph, step.iteration, step.velocity);
 }
 
 void LiveView::showEnd(const ServoRecord &record)

@@ -21,7 +21,6 @@
 #include <memory>
 
 #include <visp3/core/vpImage.h>
-#include <visp3/gui/vpPlot.h>
 
 #include "../visp_names.h"
 #include "../window.h"
@@ -35,7 +34,11 @@ namespace tutorial {
 class LiveView
 {
 public:
+  /*!
+    \exception vpException : If no window can be opened.
+  */
   explicit LiveView(const ServoGoal &goal);
+  ~LiveView();
 
   /*!
     Shows an image, and whether the camera moves.
@@ -47,11 +50,11 @@ public:
   void showEnd(const ServoRecord &record);
 
 private:
-  void plot(const ServoStep &step);
+  class Curves;
 
   ServoGoal m_goal;                 //!< What is shown.
   Window m_window;                  //!< What the camera sees.
-  std::unique_ptr<vpPlot> m_curves; //!< Errors and velocities.
+  std::unique_ptr<Curves> m_curves; //!< Errors and velocities.
   bool m_isRunning = false;         //!< Whether the camera moves.
 };
 } // namespace tutorial

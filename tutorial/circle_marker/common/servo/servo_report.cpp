@@ -77,10 +77,12 @@ vpImage<vpRGBa> servoPicture(const vpImage<unsigned char> &I, const ServoStep &s
   vpImage<vpRGBa> picture;
   vpImageConvert::convert(I, picture);
   drawMarkers(picture, step, goal);
+  // Pictures this wide are looked at scaled down.
+  const unsigned int thickness = I.getWidth() > 1000 ? 2 : 1;
   constexpr double axis = 0.05; // metres: inside the marker at any distance
-  drawAxes(picture, goal.cdMo, goal.camera.parameters, axis, vpColor::yellow, 1);
+  drawAxes(picture, goal.cdMo, goal.camera.parameters, axis, vpColor::yellow, thickness);
   if (const auto &cMo = step.sighting.best()) {
-    drawAxes(picture, *cMo, goal.camera.parameters, axis, vpColor::none, 3);
+    drawAxes(picture, *cMo, goal.camera.parameters, axis, vpColor::none, thickness + 1);
   }
   drawText(picture, statusLine(step), vpImagePoint(I.getHeight() - 30., 10.));
   return picture;
