@@ -25,6 +25,7 @@
 #include "common/pose_error.h"
 #include "common/reference_camera.h"
 #include "cover.h"
+#include "design_figures.h"
 #include "ideal_estimate.h"
 #include "laboratory.h"
 #include "poses.h"
@@ -212,6 +213,54 @@ TEST(ExperimentsScenes, UndisturbedMarkersAreFoundByAllMethods)
       }
     }
   }
+}
+
+TEST(ExperimentsScenes, DesignsAreReadAndLimited)
+{
+  // The simulator's and the detector's ideas of a design come from two places: a pose comes out only if they agree.
+  const Settings settings;
+  Laboratory laboratory(settings);
+  for (Series series : experimentOfDesign(settings).series) {
+    if (series.name == "ring-0" || series.name == "track-4" || series.name == "quiet-4" || series.name == "family-1") {
+      const auto makeScene = series.scene;
+      series.scene = [&](unsigned int frame, std::uint64_t seed) {
+        Scene scene = makeScene(frame, seed);
+        scene.cMo = poseAt(settings, scene.cam, 4., vpMath::rad(35.), seed);
+        return scene;
+      };
+      const FrameSamples samples = laboratory.take(series, 0);
+      ASSERT_EQ(samples.size(), 2u);
+      ASSERT_TRUE(samples[0].first.has_value()) << series.name;
+      const Deviation limit = *samples[1].first;
+      EXPECT_GT(limit.dz, 0.05) << series.name; // mm
+      EXPECT_LT(limit.dz, 1.) << series.name;
+      EXPECT_GT(samples[1].logOdds, 100.) << series.name;
+      EXPECT_LT(std::fabs(samples[0].first->dz), 10. * limit.dz) << series.name;
+    }
+  }
+}
+
+TEST(ExperimentsScenes, DesignFiguresAreMediansAndShares)
+{
+  std::vector<std::optional<FrameSamples>> series;
+  for (const double z : {1., 3., 8.}) {
+    Sample seen;
+    seen.first = z < 5. ? std::optional<Deviation>(Deviation{0., 0., -z, 0.}) : std::nullopt;
+    Sample limit;
+    limit.method = Method::Limit;
+    limit.first = Deviation{3., 4., z, 2. * z};
+    limit.logOdds = z;
+    series.push_back(FrameSamples{seen, limit});
+  }
+  const DesignFigures figures = designFiguresOf(series);
+  EXPECT_EQ(figures.frames, 3u);
+  EXPECT_DOUBLE_EQ(figures.found, 2. / 3.);
+  EXPECT_DOUBLE_EQ(figures.reach, leastDesignDepth + 2. / 3. * (mostDesignDepth - leastDesignDepth));
+  EXPECT_DOUBLE_EQ(figures.depthLimit, 3.);
+  EXPECT_DOUBLE_EQ(figures.lateralLimit, 5.);
+  EXPECT_DOUBLE_EQ(figures.normalLimit, 6.);
+  EXPECT_DOUBLE_EQ(figures.depthError, 2.); // Of 1 and 3.
+  EXPECT_DOUBLE_EQ(figures.weakSeparation, 1.);
 }
 
 TEST(ExperimentsScenes, ResilienceIsReported)

@@ -96,6 +96,7 @@ Request parseCommandLine(int argc, const char *const argv[])
       "  3             random poses in the thesis's five cells of angle and depth\n"
       "  resilience    occlusion, noise, blur, motion, light, distortion: circular marker, plain ring, AprilTag\n"
       "  requirements  the thesis's section 2.2.1, one row each\n"
+      "  design        the marker's measures, one after another: limits of the pose, reach of the detector\n"
       "  all           all of these\n"
       "Writes the data (CSV), statistics (JSON), figures (SVG, drawn by gnuplot) and a report (report.html, "
       "report.md).",

@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include <visp3/circle_marker/vpCircleMarkerFamily.h>
 #include <visp3/circle_marker_simulator/vpScenePhotometry.h>
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpHomogeneousMatrix.h>
@@ -42,6 +43,13 @@ struct Cover
   double grey;      //!< Grey level of what covers it.
 };
 
+/*! A marker with a code that is printed otherwise than by default. */
+struct Design
+{
+  std::string family;          //!< One with a code.
+  vpCircleMarkerLayout layout; //!< The quiet zone fills the sheet, whose side is that of the settings.
+};
+
 /*! All that makes one image but the kind of marker. */
 struct Scene
 {
@@ -50,6 +58,7 @@ struct Scene
   vpScenePhotometry photometry;             //!< Light, blur, noise.
   vpSceneMotion motion;                     //!< During the exposure.
   std::optional<Cover> cover;               //!< What covers the marker.
+  std::optional<Design> design;             //!< Of the circular marker, unless it is the default.
   std::optional<std::uint64_t> clutterSeed; //!< Clutter behind the marker; a plain grey ground without.
 };
 
@@ -61,7 +70,7 @@ struct Series
   std::string group;           //!< Series of a group are the points of one curve.
   double level = 0.;           //!< What the points are drawn against.
   unsigned int frames = 0;     //!< How many.
-  std::vector<Method> methods; //!< Each sees every frame, but for the bound, which takes long.
+  std::vector<Method> methods; //!< Each sees every frame, but for bound and limit, which take long.
   //! The scene of a frame. All that is random must come from the seed, which is that of the frame.
   std::function<Scene(unsigned int frame, std::uint64_t seed)> scene;
   //! Series with the same stream have the same seeds, hence the same poses: their differences are paired.
@@ -76,7 +85,7 @@ struct Experiment
   std::vector<Series> series; //!< In the order of the report.
 };
 
-/*! The methods that see a frame: the bound is computed for every fifth only. */
+/*! The methods that see a frame: bound and limit are computed for every fifth only. */
 std::vector<Method> methodsOf(const Series &series, std::size_t frame);
 
 /*! Names of the experiments, as --experiment takes them. */
@@ -96,6 +105,9 @@ Experiment experimentOfResilience(const Settings &settings);
 
 /*! The requirements of the thesis's section 2.2.1, each as far as a simulated camera can measure it. */
 Experiment experimentOfRequirements(const Settings &settings);
+
+/*! What the thesis left open (6.2.4): one measure of the marker after another, on a sheet of the same size. */
+Experiment experimentOfDesign(const Settings &settings);
 
 /*! The settings' photometry: the reference camera's with their noise and blur. */
 vpScenePhotometry photometryOf(const Settings &settings);

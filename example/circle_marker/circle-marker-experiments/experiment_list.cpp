@@ -33,7 +33,8 @@ const std::vector<Entry> &entries()
   static const std::vector<Entry> list = {{"2", experimentOfLines},
                                           {"3", experimentOfCells},
                                           {"resilience", experimentOfResilience},
-                                          {"requirements", experimentOfRequirements}};
+                                          {"requirements", experimentOfRequirements},
+                                          {"design", experimentOfDesign}};
   return list;
 }
 } // namespace
@@ -43,7 +44,9 @@ std::vector<Method> methodsOf(const Series &series, std::size_t frame)
   constexpr std::size_t boundStep = 5;
   std::vector<Method> methods = series.methods;
   if (frame % boundStep != 0) {
-    methods.erase(std::remove(methods.begin(), methods.end(), Method::Bound), methods.end());
+    methods.erase(std::remove_if(methods.begin(), methods.end(),
+                                 [](Method method) { return method == Method::Bound || method == Method::Limit; }),
+                  methods.end());
   }
   return methods;
 }

@@ -42,6 +42,9 @@ std::vector<CaptionedFigure> figuresOfCells(const Experiment &experiment, const 
 /*! Rate and errors against each disturbance. */
 std::vector<CaptionedFigure> figuresOfResilience(const Experiment &experiment, const RunData &data);
 
+/*! Limits and reach against each measure of the marker. */
+std::vector<CaptionedFigure> figuresOfDesign(const Experiment &experiment, const RunData &data);
+
 /*! The still and the moving sequence. */
 std::vector<CaptionedFigure> figuresOfRequirements(const Experiment &experiment, const RunData &data);
 } // namespace experiments

@@ -53,12 +53,12 @@ std::vector<CaptionedFigure> figuresOfRequirements(const Experiment &experiment,
         {series.title,
          "frame",
          "angle between N and eN [°]",
-         "set yrange [0:*]\n",
+         "set yrange [0:1e-3<*]\n",
          {sequence(data[i], "normal", 2, [](const Sample &sample) { return sample.first->normal; })}});
     figure.panels.push_back({series.title,
                              "frame",
                              "CPU time [ms]",
-                             "set yrange [0:*]\n",
+                             "set yrange [0:1e-3<*]\n",
                              {sequence(data[i], "time", 7, [](const Sample &sample) { return sample.cpuTime; })}});
   }
   return {{figure, "Jitter (thesis, 2.2.1) over a still sequence and over a moving one."}};

@@ -69,7 +69,8 @@ CaptionedFigure figureOf(const Experiment &experiment, const RunData &data, cons
       panelOf(experiment, data, first.group, label, "found [%]", "set yrange [0:105]\n", 0, rate),
       panelOf(experiment, data, first.group, label, "median |C - eC| [mm]", logarithmicY, few, position),
       panelOf(experiment, data, first.group, label, "median angle between N and eN [°]", logarithmicY, few, normal),
-      panelOf(experiment, data, first.group, label, "misleading poses [% of frames]", "set yrange [0:*]\n", 0, wrong)};
+      panelOf(experiment, data, first.group, label, "misleading poses [% of frames]", "set yrange [0:5<*]\n", 0,
+              wrong)};
   return {figure,
           "Frames with the marker found, median errors of the poses, and frames with a pose that would mislead: "
           "the normal off by more than 20° or the centre by more than a tenth of the distance."};

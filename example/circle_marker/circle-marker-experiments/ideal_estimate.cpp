@@ -20,7 +20,9 @@
 #include <visp3/circle_marker_simulator/vpMarkerPoseBound.h>
 #include <visp3/core/vpColVector.h>
 #include <visp3/core/vpExponentialMap.h>
+#include <visp3/core/vpMath.h>
 
+#include "common/pose_error.h"
 #include "common/seeds.h"
 #include "ideal_estimate.h"
 
@@ -56,13 +58,38 @@ vpMatrix lowerRootOf(const vpMatrix &A)
   }
   return L;
 }
+
+vpMarkerPoseBound limitFor(const Scene &scene)
+{
+  vpMarkerPoseBound limit(scene.cam, scene.photometry);
+  limit.setSurround(vpMarkerPoseBound::UNKNOWN_SURROUND);
+  return limit;
+}
 } // namespace
 
 vpHomogeneousMatrix idealEstimate(const vpSimulatedMarker &marker, const Scene &scene, std::uint64_t seed)
 {
-  vpMarkerPoseBound limit(scene.cam, scene.photometry);
-  limit.setSurround(vpMarkerPoseBound::UNKNOWN_SURROUND);
-  return drawnEstimate(marker.getPose(), limit.bound(marker).covariance, seed);
+  return drawnEstimate(marker.getPose(), limitFor(scene).bound(marker).covariance, seed);
+}
+
+Sample limitOf(const vpSimulatedMarker &marker, const Scene &scene)
+{
+  constexpr double millimetres = 1e3; // In a metre.
+  const vpMarkerPoseBound limit = limitFor(scene);
+  const vpPoseBound bound = limit.bound(marker);
+  const double separation = limit.separation(marker).separation;
+  const vpHomogeneousMatrix &cMo = marker.getPose();
+  Sample sample;
+  sample.method = Method::Limit;
+  sample.x = cMo[0][3];
+  sample.y = cMo[1][3];
+  sample.z = cMo[2][3];
+  sample.angle = vpMath::deg(tiltOf(cMo));
+  sample.first =
+      Deviation{millimetres * bound.x, millimetres * bound.y, millimetres * bound.z, vpMath::deg(bound.normal)};
+  sample.second = sample.first; // The mirrored pose is known as well as the true one.
+  sample.logOdds = 0.5 * separation * separation;
+  return sample;
 }
 
 vpHomogeneousMatrix drawnEstimate(const vpHomogeneousMatrix &truth, const vpMatrix &covariance, std::uint64_t seed)

@@ -23,6 +23,7 @@
 #include <visp3/circle_marker_simulator/vpSimulatedMarker.h>
 
 #include "experiment.h"
+#include "sample.h"
 
 namespace experiments {
 /*!
@@ -35,6 +36,12 @@ namespace experiments {
   \return Pose of the marker, z into it, metres.
 */
 vpHomogeneousMatrix idealEstimate(const vpSimulatedMarker &marker, const Scene &scene, std::uint64_t seed);
+
+/*!
+  What the image of a marker tells of its pose: as deviations the standard deviations of the bound (the normal's as the
+  root of the mean square), as log-odds the mean ones that a true pose has against the mirrored one.
+*/
+Sample limitOf(const vpSimulatedMarker &marker, const Scene &scene);
 
 /*!
   A pose that is off by an error drawn from a normal distribution.

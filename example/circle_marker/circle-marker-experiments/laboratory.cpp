@@ -15,6 +15,8 @@
  * The simulated camera and the detectors of one thread.
  */
 
+#include <sstream>
+
 #include <visp3/circle_marker_simulator/vpMarkerSceneSimulator.h>
 #include <visp3/core/vpMath.h>
 
@@ -36,8 +38,33 @@ Deviation deviationOf(const PoseError &error)
   return {millimetres * error.x, millimetres * error.y, millimetres * error.z, vpMath::deg(error.normal)};
 }
 
-vpSimulatedMarker markerOf(Method method, int id, const Settings &settings)
+/*! The ring's diameter that with the design's quiet zone fills the sheet, metres. */
+double sizeOf(const Design &design, const Settings &settings)
 {
+  return settings.sheetSide() / (1. + design.layout.quietZone);
+}
+
+/*! The same for the same design. */
+std::string nameOf(const Design &design)
+{
+  std::ostringstream name;
+  name << design.family << ' ' << design.layout.ringInner << ' ' << design.layout.codeOuter << ' '
+       << design.layout.codeInner << ' ' << design.layout.quietZone;
+  return name.str();
+}
+
+vpSimulatedMarker designed(const Design &design, int id, const Settings &settings)
+{
+  vpSimulatedMarker marker = vpSimulatedMarker::circle(design.family, id, sizeOf(design, settings));
+  return marker.setLayout(design.layout.ringInner, design.layout.codeInner, design.layout.codeOuter);
+}
+
+vpSimulatedMarker markerOf(Method method, int id, const Scene &scene, const Settings &settings)
+{
+  if (scene.design) {
+    return designed(*scene.design, id, settings);
+  }
+
   switch (method) {
   case Method::Ring:
     return vpSimulatedMarker::ring(settings.size, thesisRingRatio);
@@ -48,8 +75,12 @@ vpSimulatedMarker markerOf(Method method, int id, const Settings &settings)
   }
 }
 
-int idOf(Method method, std::uint64_t seed)
+int idOf(Method method, const Scene &scene, std::uint64_t seed)
 {
+  if (scene.design) {
+    return static_cast<int>(seedOf(Draw::CodedId, seed) %
+                            vpCircleMarkerFamily::fromName(scene.design->family).getNbIds());
+  }
   switch (method) {
   case Method::Ring:
     return -1;
@@ -87,11 +118,14 @@ Sample Laboratory::look(Method method, const Scene &scene, std::uint64_t seed)
 {
   Sample sample;
   sample.method = method;
-  const int id = idOf(method, seed);
-  vpSimulatedMarker marker = markerOf(method, id, m_settings);
+  const int id = idOf(method, scene, seed);
+  vpSimulatedMarker marker = markerOf(method, id, scene, m_settings);
   marker.setSheetSide(m_settings.sheetSide());
   if (scene.cMo) {
     marker.setPose(*scene.cMo);
+  }
+  if (method == Method::Limit) {
+    return limitOf(marker, scene);
   }
   Sighting sighting;
   if (method == Method::Bound) {
@@ -99,7 +133,7 @@ Sample Laboratory::look(Method method, const Scene &scene, std::uint64_t seed)
   }
   else {
     photograph(marker, scene, mixed(seedOf(Draw::Noise, seed), static_cast<std::uint64_t>(method)));
-    sighting = sightOf(method, scene.cam, id, sample);
+    sighting = sightOf(method, scene, id, sample);
   }
   sample.cpuTime = milliseconds * sighting.cpuTime;
   sample.markers = sighting.wrongIds + (sighting.cMo ? 1 : 0);
@@ -117,10 +151,12 @@ Sample Laboratory::look(Method method, const Scene &scene, std::uint64_t seed)
     sample.isMirrored = error.wrongSolution;
   }
   const bool isOurs = method == Method::Ring || method == Method::Circle;
-  const CircleDetector &detector = method == Method::Ring ? m_ring : m_circle;
-  if (sighting.cMo && isOurs && detector.last()->hasSecondPose) {
-    sample.second = deviationOf(errorOf(detector.last()->cMo2, *scene.cMo));
-    sample.logOdds = detector.last()->logOdds;
+  if (sighting.cMo && isOurs) {
+    const auto &detection = detectorFor(method, scene).last();
+    if (detection->hasSecondPose) {
+      sample.second = deviationOf(errorOf(detection->cMo2, *scene.cMo));
+      sample.logOdds = detection->logOdds;
+    }
   }
   return sample;
 }
@@ -142,17 +178,27 @@ void Laboratory::photograph(const vpSimulatedMarker &marker, const Scene &scene,
   camera.render(m_image, seed);
 }
 
-Sighting Laboratory::sightOf(Method method, const vpCameraParameters &cam, int id, Sample &sample)
+Sighting Laboratory::sightOf(Method method, const Scene &scene, int id, Sample &sample)
 {
   if (method == Method::AprilTag) {
     if (!m_tag) {
       m_tag = std::make_unique<AprilTagDetector>(tagOnSheet(m_settings.sheetSide()), bestTagPose, 1.f);
     }
-    return m_tag->look(m_image, cam, id).halfPixel;
+    return m_tag->look(m_image, scene.cam, id).halfPixel;
   }
-  CircleDetector &detector = method == Method::Ring ? m_ring : m_circle;
-  const Sighting sighting = detector.look(m_image, cam, id);
+  CircleDetector &detector = detectorFor(method, scene);
+  const Sighting sighting = detector.look(m_image, scene.cam, id);
   sample.outlines = detector.outlines();
   return sighting;
+}
+
+CircleDetector &Laboratory::detectorFor(Method method, const Scene &scene)
+{
+  if (!scene.design) {
+    return method == Method::Ring ? m_ring : m_circle;
+  }
+  const Design &design = *scene.design;
+  const auto family = vpCircleMarkerFamily::fromName(design.family).withLayout(design.layout);
+  return m_designs.try_emplace(nameOf(design), family, sizeOf(design, m_settings)).first->second;
 }
 } // namespace experiments

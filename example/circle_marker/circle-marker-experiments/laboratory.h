@@ -19,6 +19,7 @@
 #define VP_EXPERIMENTS_LABORATORY_H
 
 #include <cstdint>
+#include <map>
 #include <memory>
 
 #include <visp3/circle_marker_simulator/vpSimulatedMarker.h>
@@ -44,13 +45,15 @@ public:
 private:
   Sample look(Method method, const Scene &scene, std::uint64_t seed);
   void photograph(const vpSimulatedMarker &marker, const Scene &scene, std::uint64_t seed);
-  Sighting sightOf(Method method, const vpCameraParameters &cam, int id, Sample &sample);
+  Sighting sightOf(Method method, const Scene &scene, int id, Sample &sample);
+  CircleDetector &detectorFor(Method method, const Scene &scene);
 
-  Settings m_settings;                     //!< As given.
-  CircleDetector m_ring;                   //!< For the plain ring.
-  CircleDetector m_circle;                 //!< For the marker of this project.
-  std::unique_ptr<AprilTagDetector> m_tag; //!< Made when it is first needed.
-  vpImage<unsigned char> m_image;          //!< The last picture.
+  Settings m_settings;                             //!< As given.
+  CircleDetector m_ring;                           //!< For the plain ring.
+  CircleDetector m_circle;                         //!< For the marker of this project.
+  std::map<std::string, CircleDetector> m_designs; //!< For other designs of it, by designName().
+  std::unique_ptr<AprilTagDetector> m_tag;         //!< Made when it is first needed.
+  vpImage<unsigned char> m_image;                  //!< The last picture.
 };
 
 /*! The seed of a frame: that of the settings, the experiment's stream and the number of the frame. */

@@ -47,7 +47,8 @@ struct Reporter
 const std::map<std::string, Reporter> reporters = {{"2", {addLines, figuresOfLines}},
                                                    {"3", {addCells, figuresOfCells}},
                                                    {"resilience", {addResilience, figuresOfResilience}},
-                                                   {"requirements", {addRequirements, figuresOfRequirements}}};
+                                                   {"requirements", {addRequirements, figuresOfRequirements}},
+                                                   {"design", {addDesign, figuresOfDesign}}};
 
 /*! What is in a file; nothing if there is no such file. */
 std::optional<std::string> contentOf(const std::string &path)

@@ -29,15 +29,17 @@ enum class Method
   Ring,     //!< A plain ring without a code: both solutions.
   Circle,   //!< The marker of this project: one pose.
   AprilTag, //!< ViSP's detector at decimation 1, corrected by half a pixel.
-  Bound     //!< No detector: errors drawn from the Cramer-Rao bound of the marker of this project.
+  Bound,    //!< No detector: errors drawn from the Cramer-Rao bound of the marker of this project.
+  Limit     //!< No detector: the bound's standard deviations, and as log-odds the mean ones between the two poses.
 };
 
-constexpr std::size_t methodCount = 4;
+constexpr std::size_t methodCount = 5;
 
 /*! Names in files. */
-constexpr std::array<const char *, methodCount> methodNames = {"ring", "golay23", "apriltag", "bound"};
+constexpr std::array<const char *, methodCount> methodNames = {"ring", "golay23", "apriltag", "bound", "limit"};
 /*! Names for people. */
-constexpr std::array<const char *, methodCount> methodTitles = {"plain ring", "circular marker", "AprilTag", "bound"};
+constexpr std::array<const char *, methodCount> methodTitles = {"plain ring", "circular marker", "AprilTag", "bound",
+                                                                "limit"};
 
 inline std::string nameOf(Method method)
 {

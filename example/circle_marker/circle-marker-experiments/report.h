@@ -34,6 +34,7 @@ void addLines(const Experiment &experiment, const RunData &data, Document &docum
 void addCells(const Experiment &experiment, const RunData &data, Document &document);
 void addResilience(const Experiment &experiment, const RunData &data, Document &document);
 void addRequirements(const Experiment &experiment, const RunData &data, Document &document);
+void addDesign(const Experiment &experiment, const RunData &data, Document &document);
 
 void addFigures(const std::vector<CaptionedFigure> &figures, Document &document);
 

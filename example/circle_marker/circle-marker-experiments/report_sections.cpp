@@ -15,16 +15,29 @@
  * The sections of the report on experiments 2 and 3 and on the resilience.
  */
 
+#include <cmath>
 #include <sstream>
 
 #include "common/numbers.h"
 #include "common/reference_camera.h"
+#include "cover.h"
 #include "curves.h"
 #include "report.h"
 #include "report_tables.h"
 
 namespace experiments {
 namespace {
+/*! How much of the outline goes with a share of the disc: more than the share itself. */
+std::string outlineShares()
+{
+  std::string text;
+  for (const double share : {0.05, 0.1, 0.2}) {
+    text += (text.empty() ? "" : ", ") + digits(100. * share) + " % of the disc are " +
+            digits(100. * std::acos(chordDistance(share)) / M_PI) + " % of its outline";
+  }
+  return text + ".";
+}
+
 const std::vector<View> thesisViews = {ringBoth, ringFirst, circle, bound};
 } // namespace
 
@@ -87,8 +100,8 @@ void addResilience(const Experiment &experiment, const RunData &data, Document &
       "disturbance "
       "(other places in the image for distorted cameras). AprilTag 36h11 by ViSP's detector at decimation 1 with its "
       "half pixel corrected, on a sheet of the same size. Occlusion: all beyond a line across the ring's disc is "
-      "covered, in a random direction and grey level. Light: a gradient in a random direction. Distortion: the "
-      "detector knows the camera.");
+      "covered, in a random direction and grey level; " +
+      outlineShares() + " Light: a gradient in a random direction. Distortion: the detector knows the camera.");
   const std::vector<View> views = viewsIn(data, {ringFirst, circle, aprilTag});
   std::vector<std::string> titles = {"", "frames"};
   for (const View &view : views) {

@@ -113,6 +113,33 @@ vpCircleMarkerFamily vpCircleMarkerFamily::ring(double ratio)
   return family;
 }
 
+/*!
+  The same family printed with other radii, for studies of the design: such markers are not those of the default print.
+
+  \param layout : Radii in units of the ring's outer radius; those of a code count for coded families only.
+  \exception vpException::badValue : If the parts overlap or are not there: they are, from the centre outward, the white
+  centre, the code track, the white gap, the ring and the quiet zone.
+*/
+vpCircleMarkerFamily vpCircleMarkerFamily::withLayout(const vpCircleMarkerLayout &layout) const
+{
+  const bool hasRing = layout.ringInner >= 0. && layout.ringInner < 1. && layout.quietZone > 0.;
+  const bool hasCode =
+      layout.codeInner > 0. && layout.codeInner < layout.codeOuter && layout.codeOuter < layout.ringInner;
+  if (!hasRing || (isCoded() && !hasCode)) {
+    throw vpException(vpException::badValue,
+                      "A marker with a code from %g to %g, a ring from %g to 1 and a quiet zone of %g cannot be "
+                      "printed: the code lies inside of the ring, both inside of the quiet zone",
+                      layout.codeInner, layout.codeOuter, layout.ringInner, layout.quietZone);
+  }
+  vpCircleMarkerFamily family(*this);
+  family.m_layout = layout;
+  if (!isCoded()) {
+    family.m_layout.codeOuter = 0;
+    family.m_layout.codeInner = 0;
+  }
+  return family;
+}
+
 /*! The five families, each with its default layout, in the order of vpType. */
 std::vector<vpCircleMarkerFamily> vpCircleMarkerFamily::all()
 {

@@ -174,6 +174,37 @@ TEST(CircleMarkerFamily, RingTakesAnyRatioBetweenZeroAndOne)
   }
 }
 
+TEST(CircleMarkerFamily, LayoutsOfAStudyKeepTheCode)
+{
+  vpCircleMarkerLayout layout;
+  layout.ringInner = 0.7;
+  layout.codeOuter = 0.6;
+  layout.codeInner = 0.3;
+  layout.quietZone = 0.25;
+  const vpCircleMarkerFamily family = vpCircleMarkerFamily(vpCircleMarkerFamily::BCH31).withLayout(layout);
+  EXPECT_EQ(family.getName(), "bch31");
+  EXPECT_EQ(family.getCodeword(7), vpCircleMarkerFamily(vpCircleMarkerFamily::BCH31).getCodeword(7));
+  EXPECT_EQ(family.getLayout().ringInner, 0.7);
+  EXPECT_EQ(family.getLayout().codeInner, 0.3);
+  const vpCircleMarkerFamily ring = vpCircleMarkerFamily(vpCircleMarkerFamily::RING).withLayout(layout);
+  EXPECT_EQ(ring.getLayout().codeOuter, 0.); // Without a code there is no track.
+
+  const auto refused = [](double codeInner, double codeOuter, double ringInner, double quietZone) {
+    vpCircleMarkerLayout bad;
+    bad.codeInner = codeInner;
+    bad.codeOuter = codeOuter;
+    bad.ringInner = ringInner;
+    bad.quietZone = quietZone;
+    EXPECT_THROW(vpCircleMarkerFamily().withLayout(bad), vpException);
+  };
+  refused(0.6, 0.4, 0.8, 0.2);
+  refused(0.4, 0.9, 0.8, 0.2);
+  refused(0., 0.6, 0.8, 0.2);
+  refused(0.4, 0.6, 1., 0.2);
+  refused(0.4, 0.6, 0.8, 0.);
+  refused(std::nan(""), 0.6, 0.8, 0.2);
+}
+
 TEST(CircleMarkerFamily, UnknownNamesAreRefusedWithTheKnownOnes)
 {
   for (const std::string unknown : {"", "Golay23", "golay", "bch31 ", "36h11"}) {

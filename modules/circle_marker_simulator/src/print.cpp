@@ -25,10 +25,6 @@ namespace marker_simulator {
 
 namespace {
 
-// The code track of the coded families, in units of the ring's outer radius.
-constexpr double TRACK_OUTER = 0.68;
-constexpr double TRACK_INNER = 0.40;
-
 void appendCircle(double radius, bool hole, std::vector<PlaneCurve> &boundary)
 {
   boundary.push_back(hole ? PlaneCurve::arc(radius, 2. * M_PI, 0.) : PlaneCurve::arc(radius, 0., 2. * M_PI));
@@ -67,7 +63,8 @@ void appendCode(const vpSimulatedMarker &marker, double radius, std::vector<Plan
     while (black(end)) { // a codeword is never all black
       ++end;
     }
-    appendRun(TRACK_OUTER * radius, TRACK_INNER * radius, step * first, step * end, marker.getInkSpread(), boundary);
+    appendRun(marker.getTrackOuter() * radius, marker.getTrackInner() * radius, step * first, step * end,
+              marker.getInkSpread(), boundary);
   }
 }
 

@@ -171,6 +171,23 @@ vpSimulatedMarker &vpSimulatedMarker::setSheetSide(double side)
 }
 
 /*!
+  Another layout of a marker with a code, in units of the ring's outer radius.
+  \exception vpException::badValue : the marker has no code, or its parts overlap.
+*/
+vpSimulatedMarker &vpSimulatedMarker::setLayout(double ringRatio, double trackInner, double trackOuter)
+{
+  if (!m_codeword || !(trackInner > 0. && trackInner < trackOuter && trackOuter < ringRatio && ringRatio < 1.)) {
+    throw vpException(vpException::badValue,
+                      "a code from %g to %g inside of a ring from %g to 1 cannot be printed on a marker of family %s",
+                      trackInner, trackOuter, ringRatio, m_family.c_str());
+  }
+  m_ringRatio = ringRatio;
+  m_trackInner = trackInner;
+  m_trackOuter = trackOuter;
+  return *this;
+}
+
+/*!
   Sets how far ink has spread: every black edge lies this much further out, in metres; negative for ink that is too
   thin. Only for circular markers and AprilTags.
 */

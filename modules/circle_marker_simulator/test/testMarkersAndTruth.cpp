@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 
 #include "outline.h"
 #include "test_support.h"
@@ -119,6 +120,21 @@ TEST(Prints, InkSpreadMovesEveryBlackEdge)
     EXPECT_NEAR(inkArea(spreadMarker.setInkSpread(spread)), ring + track, tolerance);
   }
   EXPECT_THROW(vpSimulatedMarker::disc(0.1).setInkSpread(0.01), vpException);
+}
+
+TEST(Prints, LayoutIsAsAskedFor)
+{
+  constexpr double R = 0.1;
+  // Ink of the ring and of the black sectors, by their formulas.
+  vpSimulatedMarker marker = vpSimulatedMarker::circle("golay23", 5, 2. * R);
+  marker.setLayout(0.7, 0.3, 0.6);
+  const double sectors = std::bitset<23>(*marker.getCodeword()).count() / 23.;
+  const double expected = M_PI * R * R * ((1. - 0.49) + sectors * (0.36 - 0.09));
+  EXPECT_NEAR(inkArea(marker), expected, 1e-3 * expected);
+  EXPECT_THROW(marker.setLayout(0.7, 0.6, 0.3), vpException);
+  EXPECT_THROW(marker.setLayout(0.7, 0.3, 0.7), vpException);
+  EXPECT_THROW(marker.setLayout(1., 0.3, 0.6), vpException);
+  EXPECT_THROW(vpSimulatedMarker::ring(2. * R, 0.7).setLayout(0.7, 0.3, 0.6), vpException);
 }
 
 TEST(Prints, InkSpreadOfATag)

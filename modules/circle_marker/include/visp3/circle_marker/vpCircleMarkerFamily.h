@@ -93,6 +93,7 @@ public:
   unsigned int getMinimumDistance() const;
   std::uint32_t getGenerator() const;
   const vpCircleMarkerLayout &getLayout() const { return m_layout; }
+  vpCircleMarkerFamily withLayout(const vpCircleMarkerLayout &layout) const;
   std::uint32_t getCodeword(int id) const;
   bool isSectorBlack(int id, unsigned int sector) const;
 

@@ -62,6 +62,7 @@ public:
   vpSimulatedMarker &setQuietZone(double quietZone);
   vpSimulatedMarker &setSheetSide(double side);
   vpSimulatedMarker &setInkSpread(double spread);
+  vpSimulatedMarker &setLayout(double ringRatio, double trackInner, double trackOuter);
   vpSimulatedMarker &setBow(double bow, double axis = 0.);
 
   /*! Pose of the marker in the camera frame, lengths in metres. */
@@ -78,6 +79,10 @@ public:
   bool isCircle() const { return m_picture.getSize() == 0; }
   /*! Inner radius of the ring over its outer radius; 0 for a disc. */
   double getRingRatio() const { return m_ringRatio; }
+  /*! Inner radius of the code track over the ring's outer radius. */
+  double getTrackInner() const { return m_trackInner; }
+  /*! Outer radius of the code track over the ring's outer radius. */
+  double getTrackOuter() const { return m_trackOuter; }
   /*! Width of the white sheet, in metres. */
   double getSheetWidth() const { return m_sheetWidth; }
   /*! Height of the white sheet, in metres. */
@@ -105,6 +110,8 @@ private:
   double m_sheetWidth;                     //!< Width of the white sheet, in metres.
   double m_sheetHeight;                    //!< Height of the white sheet, in metres.
   double m_ringRatio = 0.;                 //!< Inner over outer radius of the ring.
+  double m_trackInner = 0.40;              //!< Inner radius of the code track over the outer radius of the ring.
+  double m_trackOuter = 0.68;              //!< Outer radius of the code track over the outer radius of the ring.
   double m_inkSpread = 0.;                 //!< Outward displacement of black edges, in metres.
   double m_bow = 0.;                       //!< Height of the sheet's arc, in metres.
   double m_bowAxis = 0.;                   //!< Axis of the bend, in radians.
