@@ -206,8 +206,8 @@ TEST(ExperimentsProgram, RefusesDataOfOtherFrames)
 TEST(ExperimentsProgram, OtherExperimentsRunToo)
 {
   const fs::path folder = emptyFolder();
-  const Outcome outcome =
-      run(program, {"--output", "results", "--experiment", "2", "requirements", "--frames", "1"}, folder);
+  const Outcome outcome = run(
+      program, {"--output", "results", "--experiment", "2", "requirements", "--frames", "1", "--size", "0.05"}, folder);
   EXPECT_EQ(outcome.status, done) << outcome.err;
   for (const std::string name : {"experiment-2", "requirements"}) {
     EXPECT_FALSE(rowsOf(contentOf(folder / "results" / (name + ".csv"))).empty()) << name;
