@@ -160,6 +160,21 @@ TEST(ExperimentsReport, KeyNamesTheCurvesOfAllPanels)
   EXPECT_EQ(count, 1u);
 }
 
+TEST(ExperimentsReport, PanelsOfNothingHaveRangesAllTheSame)
+{
+  // gnuplot stops at an axis that it finds no range for.
+  const Curve none = {"none", "with lines", {}};
+  const Curve zero = {"zero", "with lines", {{1., 0.}}};
+  const Panel empty = {"p", "x", "y", "set yrange [0:1e-3<*]\n", {none}};
+  const Panel logarithmic = {"p", "x", "y", logarithmicY, {zero}};
+  for (const Panel &panel : {empty, logarithmic}) {
+    const std::string script = figureScript({{"f.svg", "F", 1, {panel}}});
+    const std::size_t last = script.rfind("set yrange ");
+    ASSERT_NE(last, std::string::npos);
+    EXPECT_EQ(script.substr(last, script.find('\n', last) - last), "set yrange [0.1:1]");
+  }
+}
+
 TEST(ParallelWork, DoesEachItemOnce)
 {
   for (const unsigned int threads : {1u, 2u, 5u}) {

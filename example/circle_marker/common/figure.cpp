@@ -16,6 +16,7 @@
  */
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -64,33 +65,43 @@ std::string margins(const Figure &figure, std::size_t index, double width, doubl
   return out.str();
 }
 
-/*! Ranges that gnuplot cannot find itself: those of no points, or of points that are all at one place. */
-std::string rangesOf(const Panel &panel)
+/*! The ends of what is drawn on an axis; the least is above the most if nothing is. */
+std::array<double, 2> extentOf(const Panel &panel, std::size_t axis)
 {
-  std::ostringstream out;
-  for (const std::size_t axis : {0u, 1u}) {
-    double least = HUGE_VAL;
-    double most = -HUGE_VAL;
-    for (const Curve &curve : panel.curves) {
-      for (const auto &point : curve.points) {
-        if (std::isfinite(point[0]) && std::isfinite(point[1])) {
-          least = std::min(least, point[axis]);
-          most = std::max(most, point[axis]);
-        }
+  const bool isLogarithmic = panel.setup.find("logscale y") != std::string::npos;
+  std::array<double, 2> extent = {HUGE_VAL, -HUGE_VAL};
+  for (const Curve &curve : panel.curves) {
+    for (const auto &point : curve.points) {
+      if (std::isfinite(point[0]) && std::isfinite(point[1]) && (point[1] > 0. || !isLogarithmic)) {
+        extent[0] = std::min(extent[0], point[axis]);
+        extent[1] = std::max(extent[1], point[axis]);
       }
     }
+  }
+  return extent;
+}
+
+/*! A panel's ranges and setup. What gnuplot cannot find itself are ranges of no points, or of points at one place. */
+std::string setupOf(const Panel &panel)
+{
+  const std::string nothing = "[0.1:1]\n"; // Above 0: the axis may be logarithmic.
+  std::ostringstream out;
+  for (const std::size_t axis : {0u, 1u}) {
+    const auto [least, most] = extentOf(panel, axis);
     out << "set " << (axis == 0 ? 'x' : 'y') << "range ";
-    if (least > most) {
-      out << "[0.1:1]\n"; // Above 0: the axis may be logarithmic.
-    }
-    else if (least == most) {
+    if (least == most) {
       constexpr double share = 0.1;
       const double room = least == 0. ? 1. : share * std::fabs(least);
       out << "[" << least - room << ":" << most + room << "]\n";
     }
     else {
-      out << "[*:*]\n";
+      out << (least > most ? nothing : "[*:*]\n");
     }
+  }
+  out << panel.setup;
+  const auto [least, most] = extentOf(panel, 1);
+  if (least > most) {
+    out << "set yrange " << nothing;
   }
   return out.str();
 }
@@ -157,13 +168,13 @@ std::string scriptOf(const Figure &figure, std::size_t number)
       data << dataBlock(prefix + std::to_string(curve), panel.curves[curve].points);
     }
     out << margins(figure, i, width, height) << "unset logscale\n"
-        << rangesOf(panel) << "set xtics auto\nset ytics auto\nset format \"%g\"\n"
+        << "set xtics auto\nset ytics auto\nset format \"%g\"\n"
         << "set grid back linecolor rgb \"#dddddd\" linetype 1\n"
         << (i == 0 ? "set key at screen 0.5, screen 0.01 center bottom maxrows 2 Left reverse width -1\n"
                    : "unset key\nunset label 1\n")
         << "set title " << quoted(panel.title) << " noenhanced offset 0,-0.5\nset xlabel " << quoted(panel.xLabel)
         << " noenhanced offset 0,0.4\nset ylabel " << quoted(panel.yLabel) << " noenhanced\n"
-        << panel.setup << plotCommand(figure, i, prefix);
+        << setupOf(panel) << plotCommand(figure, i, prefix);
   }
   out << "unset multiplot\nunset output\nunset label 1\n";
   return data.str() + out.str();
