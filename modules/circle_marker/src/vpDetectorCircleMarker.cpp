@@ -82,7 +82,8 @@ void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, doubl
 {
   found.clear();
   detections.clear();
-  image = I;
+  image.resize(I.getHeight(), I.getWidth()); // the assignment of images would allocate each time
+  std::copy(I.bitmap, I.bitmap + I.getSize(), image.bitmap);
   m_workers.setCount(settings.threads);
   m_benches.resize(m_workers.getCount());
   findOutlines(image, soughtCenters(settings.families), m_workers, deadline, m_outlines);

@@ -105,6 +105,7 @@ void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double
   const double perimeter = M_PI * (ellipse.a + ellipse.b); // of the circle of mean radius: right to 4 % at ratio 0.4
   const int samples = std::clamp(static_cast<int>(perimeter), fewestSamples, most);
   candidate.points.clear();
+  candidate.points.reserve(mostSamples); // once and for all outlines that use this memory after it
   EllipseWalk walk(ellipse, samples);
   for (int i = 0; i < samples; ++i, walk.next()) {
     const EdgePoint where = walk.here();

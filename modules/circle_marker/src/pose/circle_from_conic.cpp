@@ -119,7 +119,7 @@ std::optional<std::array<CirclePosition, 2>> circlesFromEllipse(const CenteredEl
   return circles;
 }
 
-vpHomogeneousMatrix poseFromCirclePosition(const CirclePosition &position)
+Eigen::Matrix3d rotationFromCirclePosition(const CirclePosition &position)
 {
   const Eigen::Vector3d z = position.normal.normalized();
   // Below this sine of the angle to the camera's x axis the projection onto the plane is mostly rounding.
@@ -134,11 +134,19 @@ vpHomogeneousMatrix poseFromCirclePosition(const CirclePosition &position)
     y = (Eigen::Vector3d::UnitY() - z.y() * z).normalized();
     x = y.cross(z);
   }
+  Eigen::Matrix3d rotation;
+  rotation << x, y, z;
+  return rotation;
+}
+
+vpHomogeneousMatrix poseFromCirclePosition(const CirclePosition &position)
+{
+  const Eigen::Matrix3d rotation = rotationFromCirclePosition(position);
   vpHomogeneousMatrix cMo;
   for (unsigned int i = 0; i < 3; i++) {
-    cMo[i][0] = x(i);
-    cMo[i][1] = y(i);
-    cMo[i][2] = z(i);
+    for (unsigned int j = 0; j < 3; j++) {
+      cMo[i][j] = rotation(i, j);
+    }
     cMo[i][3] = position.center(i);
   }
   return cMo;

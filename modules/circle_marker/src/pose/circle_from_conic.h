@@ -88,6 +88,9 @@ std::optional<std::array<CirclePosition, 2>> circlesFromEllipse(const CenteredEl
 */
 vpHomogeneousMatrix poseFromCirclePosition(const CirclePosition &position);
 
+/*! Its rotation alone, without memory from the heap. */
+Eigen::Matrix3d rotationFromCirclePosition(const CirclePosition &position);
+
 /*!
   Image, in normalised coordinates, of the circle of a given radius in the plane z = 0 of a frame, centred at its
   origin; either direction of z. Unit Frobenius norm; negative inside an ellipse. The inverse of circlesFromConic().

@@ -23,15 +23,10 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 MarkerPlane planeOf(const CirclePosition &position, double radius)
 {
-  const vpHomogeneousMatrix pose = poseFromCirclePosition(position);
   MarkerPlane plane;
   plane.center = position.center;
   plane.radius = radius;
-  for (unsigned int row = 0; row < 3; ++row) {
-    for (unsigned int column = 0; column < 3; ++column) {
-      plane.rotation(row, column) = pose[row][column];
-    }
-  }
+  plane.rotation = rotationFromCirclePosition(position);
   return plane;
 }
 

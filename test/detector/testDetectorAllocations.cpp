@@ -1,0 +1,172 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What the detector allocates once it has seen an image like it.
+ */
+
+#include <atomic>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "detector_scenes.h"
+
+using namespace detector_test;
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+// All of the heap comes through these: operator new, ViSP's arrays, Eigen and OpenCV. glibc lets a program replace them
+// and gives its own under other names.
+namespace {
+std::atomic<bool> isCounting(false);
+std::atomic<unsigned long> allocations(0);
+
+void count()
+{
+  if (isCounting.load(std::memory_order_relaxed)) {
+    ++allocations;
+  }
+}
+} // namespace
+
+extern "C" {
+void *__libc_malloc(std::size_t size);
+void *__libc_calloc(std::size_t number, std::size_t size);
+void *__libc_realloc(void *memory, std::size_t size);
+void *__libc_memalign(std::size_t alignment, std::size_t size);
+
+void *malloc(std::size_t size)
+{
+  count();
+  return __libc_malloc(size);
+}
+
+void *calloc(std::size_t number, std::size_t size)
+{
+  count();
+  return __libc_calloc(number, size);
+}
+
+void *realloc(void *memory, std::size_t size)
+{
+  count();
+  return __libc_realloc(memory, size);
+}
+
+void *aligned_alloc(std::size_t alignment, std::size_t size)
+{
+  count();
+  return __libc_memalign(alignment, size);
+}
+
+int posix_memalign(void **memory, std::size_t alignment, std::size_t size)
+{
+  count();
+  *memory = __libc_memalign(alignment, size);
+  return *memory == nullptr ? 12 : 0; // ENOMEM
+}
+}
+
+namespace {
+//! Allocations of one call of detect() after a few on the same images.
+unsigned long allocationsOf(vpDetectorCircleMarker &detector, const std::vector<vpImage<unsigned char>> &images)
+{
+  std::vector<vpHomogeneousMatrix> poses;
+  constexpr int warming = 3;
+  for (int i = 0; i < warming; ++i) {
+    for (const vpImage<unsigned char> &I : images) {
+      detector.detect(I, size, straightCamera(), poses);
+    }
+  }
+  allocations = 0;
+  isCounting = true;
+  for (const vpImage<unsigned char> &I : images) {
+    detector.detect(I, size, straightCamera(), poses);
+  }
+  isCounting = false;
+  return allocations;
+}
+
+vpImage<unsigned char> clutter(Random &random, const std::vector<vpSimulatedMarker> &markers)
+{
+  vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+  simulator.setBackground(vpSceneBackground::clutter(random(), 40));
+  for (const vpSimulatedMarker &marker : markers) {
+    simulator.addMarker(marker);
+  }
+  vpImage<unsigned char> I;
+  simulator.render(I, random());
+  return I;
+}
+} // namespace
+
+TEST(DetectorAllocations, TheCounterCounts)
+{
+  allocations = 0;
+  isCounting = true;
+  std::vector<int> *list = new std::vector<int>(100);
+  vpMatrix matrix(6, 6);
+  isCounting = false;
+  delete list;
+  EXPECT_GE(allocations, 3u);
+}
+
+TEST(DetectorAllocations, NoneWithoutAMarker)
+{
+  Random random = randomOfTest();
+  std::vector<vpImage<unsigned char>> images;
+  for (int i = 0; i < 4; ++i) {
+    images.push_back(clutter(random, {}));
+  }
+  vpDetectorCircleMarker detector;
+  EXPECT_EQ(allocationsOf(detector, images), 0u);
+  // Which of two threads gets which outlines changes from call to call: it takes more of them until each has seen all.
+  detector.setNbThreads(2);
+  unsigned long least = 1;
+  for (int i = 0; i < 20 && least > 0; ++i) {
+    least = std::min(least, allocationsOf(detector, images));
+  }
+  EXPECT_EQ(least, 0u);
+}
+
+// The results that a user holds are ViSP's types, which keep their numbers on the heap: poses (twice, in the detection
+// and in the list that is handed out), covariance, message, polygon: some 35 allocations a marker. The refinement's
+// lists of residuals are the others. Their number must not grow with anything else, such as the marker's size.
+TEST(DetectorAllocations, FewForEachMarker)
+{
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector;
+  constexpr unsigned long mostForAMarker = 180;
+  for (const double diameter : {30., 60., 120.}) {
+    const int id = randomId(random, vpCircleMarkerFamily::GOLAY23);
+    const vpSimulatedMarker marker = vpSimulatedMarker::circle("golay23", id, size);
+    vpSimulatedMarker placed = marker;
+    placed.setPose(randomPose(random, diameter, 0.6));
+    const std::vector<vpImage<unsigned char>> images = {clutter(random, {placed})};
+    const unsigned long counted = allocationsOf(detector, images);
+    ASSERT_EQ(detector.getNbObjects(), 1u);
+    EXPECT_LE(counted, mostForAMarker) << "diameter " << diameter;
+    RecordProperty("allocations_at_" + std::to_string(static_cast<int>(diameter)), static_cast<int>(counted));
+    std::printf("[ allocations ] %lu with one marker of %g pixels\n", counted, diameter);
+  }
+}
+
+#else
+
+TEST(DetectorAllocations, AreCountedWithGlibcAndNoSanitizer)
+{
+  GTEST_SKIP() << "the heap's functions cannot be replaced here";
+}
+
+#endif
