@@ -24,7 +24,7 @@
 #include <visp3/core/vpHomogeneousMatrix.h>
 #include <visp3/robot/vpRobot.h>
 
-#include "user-robot/user_robot.h"
+#include "tutorial-circle-marker-pbvs-live/user-robot/user_robot.h"
 
 namespace tutorial {
 namespace {

@@ -16,6 +16,7 @@
  */
 
 #include <fstream>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -223,4 +224,23 @@ TEST(LivePrograms, BuiltWithoutCamerasAndDisplay)
   const test::Outcome servo = test::runOnBus(SERVO_WITHOUT, {"--output", "out"}, folder, nullptr);
   EXPECT_EQ(servo.status, 2);
   EXPECT_TRUE(isSaid(servo.err, "--display-off starts at once")) << servo.err;
+}
+
+// udev ignores a line that it cannot read, and says so only in its log.
+TEST(LivePrograms, UdevRulesAreWellFormed)
+{
+  std::ifstream file(data + "/udev/60-circle-marker-cameras.rules");
+  const std::string term = "[A-Z]+(\\{[A-Za-z]+\\})?(==|=|\\+=)\"[^\"]*\"";
+  const std::regex rule(term + "(, " + term + ")*");
+  int rules = 0;
+  std::string line;
+  while (std::getline(file, line)) {
+    if (line.empty() || line[0] == '#') {
+      continue;
+    }
+    ++rules;
+    EXPECT_TRUE(std::regex_match(line, rule)) << line;
+    EXPECT_TRUE(isSaid(line, "GROUP=\"video\"") && isSaid(line, "TAG+=\"uaccess\"")) << line;
+  }
+  EXPECT_EQ(rules, 3) << "IEEE 1394 of two kinds, and USB";
 }

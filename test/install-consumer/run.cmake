@@ -29,6 +29,11 @@ endfunction()
 # From nothing: a header or a library that the installation forgets must not be left from an earlier run.
 file(REMOVE_RECURSE ${WORK_DIR})
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${WORK_DIR}/prefix)
+# udev reads this folder of /usr and /usr/local, and none that is named after the architecture.
+if(CMAKE_HOST_SYSTEM_NAME STREQUAL "Linux" AND
+   NOT EXISTS ${WORK_DIR}/prefix/lib/udev/rules.d/60-circle-marker-cameras.rules)
+  message(FATAL_ERROR "the udev rules are not installed")
+endif()
 # Moved: nothing installed may point back to where it was installed first.
 file(RENAME ${WORK_DIR}/prefix ${WORK_DIR}/moved)
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK_DIR}/build -D CMAKE_PREFIX_PATH=${WORK_DIR}/moved

@@ -38,7 +38,38 @@ double now()
     std::this_thread::sleep_for(std::chrono::hours(1));
   }
 }
+
+vpHomogeneousMatrix poseOf(long number)
+{
+  const Scenario &plan = scenario();
+  if (!plan.poseFile.empty()) {
+    std::ifstream file(plan.poseFile);
+    vpHomogeneousMatrix cMo;
+    for (unsigned int i = 0; i < 16; ++i) {
+      file >> cMo[i / 4][i % 4];
+    }
+    return cMo;
+  }
+  return plan.poses.at(static_cast<std::size_t>(number) % plan.poses.size());
+}
 } // namespace
+
+vpImage<unsigned char> renderFrame(long number, unsigned int width, unsigned int height)
+{
+  const double scale = width / 1280.;
+  const vpCameraParameters cam(1600. * scale, 1600. * scale, 640. * scale - 0.5, 480. * scale - 0.5);
+  vpMarkerSceneSimulator simulator(cam, width, height);
+  vpScenePhotometry photometry;
+  photometry.noiseSigma = 2.;
+  photometry.blurSigma = 0.7;
+  simulator.setPhotometry(photometry);
+  simulator.setBackground(vpSceneBackground::plain(110.));
+  const Scenario &plan = scenario();
+  simulator.addMarker(vpSimulatedMarker::circle(plan.family, plan.id, plan.size).setPose(poseOf(number)));
+  vpImage<unsigned char> I;
+  simulator.render(I, static_cast<std::uint64_t>(number) + 1);
+  return I;
+}
 
 SimulatedCamera::SimulatedCamera(const CameraEntry &cameraEntry) : entry(cameraEntry)
 {
@@ -88,36 +119,11 @@ double SimulatedCamera::interval() const
   return isFormat7(mode) ? 1. / 15. : 1. / (1.875 * std::pow(2., framerate - DC1394_FRAMERATE_1_875));
 }
 
-vpHomogeneousMatrix SimulatedCamera::pose(long number) const
-{
-  const Scenario &plan = scenario();
-  if (!plan.poseFile.empty()) {
-    std::ifstream file(plan.poseFile);
-    vpHomogeneousMatrix cMo;
-    for (unsigned int i = 0; i < 16; ++i) {
-      file >> cMo[i / 4][i % 4];
-    }
-    return cMo;
-  }
-  return plan.poses.at(static_cast<std::size_t>(number) % plan.poses.size());
-}
-
-/*! The whole image of the mode, by the reference camera; smaller modes join its pixels. */
+/*! The image of the mode. */
 vpImage<unsigned char> SimulatedCamera::render(long number) const
 {
   const ModeLayout layout = layoutOf(mode);
-  const double scale = layout.width / 1280.;
-  const vpCameraParameters cam(1600. * scale, 1600. * scale, 640. * scale - 0.5, 480. * scale - 0.5);
-  vpMarkerSceneSimulator simulator(cam, layout.width, layout.height);
-  vpScenePhotometry photometry;
-  photometry.noiseSigma = 2.;
-  photometry.blurSigma = 0.7;
-  simulator.setPhotometry(photometry);
-  simulator.setBackground(vpSceneBackground::plain(110.));
-  const Scenario &plan = scenario();
-  simulator.addMarker(vpSimulatedMarker::circle(plan.family, plan.id, plan.size).setPose(pose(number)));
-  vpImage<unsigned char> I;
-  simulator.render(I, static_cast<std::uint64_t>(number) + 1);
+  const vpImage<unsigned char> I = renderFrame(number, layout.width, layout.height);
   if (!isFormat7(mode)) {
     return I;
   }

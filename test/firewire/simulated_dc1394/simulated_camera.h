@@ -30,6 +30,13 @@
 #include "scenario.h"
 
 namespace simulated_bus {
+/*!
+  What a camera sees: the marker, by the reference camera of 1280 x 960 pixels; smaller images join its pixels.
+  \param number : Of the frame; says where the marker is.
+  \param width, height : Of the image, pixels.
+*/
+vpImage<unsigned char> renderFrame(long number, unsigned int width, unsigned int height);
+
 /*! A feature of the camera. */
 struct Feature
 {
@@ -82,7 +89,6 @@ private:
     bool isCorrupt = false;
   };
 
-  vpHomogeneousMatrix pose(long number) const;
   vpImage<unsigned char> render(long number) const;
   void fill(Buffer &buffer, long number);
   double interval() const;

@@ -38,7 +38,7 @@
 #include "../common/servo/servo_loop.h"
 #include "../common/servo/servo_report.h"
 #include "../common/visp_names.h"
-#include "../user-robot/user_robot.h"
+#include "user-robot/user_robot.h"
 #include "command_line.h"
 
 using namespace tutorial;

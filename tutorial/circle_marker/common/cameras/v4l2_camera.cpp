@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
@@ -30,9 +31,8 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <libv4l2.h>
 #include <linux/videodev2.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <visp3/sensor/vpV4l2Grabber.h>
 
@@ -42,25 +42,25 @@ namespace fs = std::filesystem;
 
 namespace tutorial {
 namespace {
-/*! A device file, open as long as this lives. */
+/*! A device file, open as long as this lives; through libv4l, as ViSP does. */
 class Device
 {
 public:
-  explicit Device(const std::string &path) : m_file(::open(path.c_str(), O_RDWR | O_NONBLOCK)), m_error(errno) {}
+  explicit Device(const std::string &path) : m_file(v4l2_open(path.c_str(), O_RDWR | O_NONBLOCK, 0)), m_error(errno) {}
   Device(const Device &) = delete;
   Device &operator=(const Device &) = delete;
   ~Device()
   {
     if (m_file >= 0) {
-      ::close(m_file);
+      v4l2_close(m_file);
     }
   }
 
   bool isOpen() const { return m_file >= 0; }
-  std::string error() const { return std::strerror(m_error); }
+  int error() const { return m_error; }
   template <typename Data> bool ask(unsigned long request, Data &data) const
   {
-    return ::ioctl(m_file, request, &data) == 0;
+    return v4l2_ioctl(m_file, request, &data) == 0;
   }
 
 private:
@@ -92,13 +92,17 @@ std::string obstacle(const std::string &path)
   if (!fs::exists(path)) {
     return "there is no such device; " + devicesText();
   }
+  // What libv4l would write to the standard error is said here.
+  static FILE *const nowhere = std::fopen("/dev/null", "w");
+  v4l2_log_file = nowhere;
   const Device device(path);
-  if (!device.isOpen()) {
-    return device.error() + "; to be allowed to use it, join the group video (\"adduser <you> video\" as root, then "
-                            "log in again), and end other programs that use it";
+  if (!device.isOpen() && device.error() != ENOTTY) {
+    return std::string(std::strerror(device.error())) +
+           "; to be allowed to use it, join the group video (\"adduser <you> video\" as root, then "
+           "log in again), and end other programs that use it";
   }
   v4l2_capability capability = {};
-  if (!device.ask(VIDIOC_QUERYCAP, capability)) {
+  if (!device.isOpen() || !device.ask(VIDIOC_QUERYCAP, capability)) {
     return "it is no V4L2 device; " + devicesText();
   }
   const auto abilities =
@@ -176,9 +180,8 @@ public:
       m_grabber->acquire(frame.image, stamp);
     }
     catch (const vpException &e) {
-      const std::string why = obstacle(m_device);
-      throw SourceError("the camera " + m_name + " delivers no more images: " + e.what() +
-                        (why.empty() ? "; unplug it and plug it in again" : "; " + why));
+      throw SourceError("the camera " + m_name + " delivers no more images (" + e.what() +
+                        "): was it unplugged? Plug it in and start again");
     }
     frame.time = unixTime(stamp);
     frame.number = m_number++;

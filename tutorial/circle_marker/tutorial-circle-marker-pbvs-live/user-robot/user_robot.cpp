@@ -19,7 +19,7 @@
 
 #include <visp3/robot/vpSimulatorCamera.h>
 
-#include "../common/servo/servo_eyes.h"
+#include "../../common/servo/servo_eyes.h"
 
 namespace tutorial {
 //! [User robot]

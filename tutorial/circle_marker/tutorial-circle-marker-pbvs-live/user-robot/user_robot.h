@@ -23,7 +23,7 @@
 
 #include <visp3/robot/vpRobot.h>
 
-#include "../common/visp_names.h"
+#include "../../common/visp_names.h"
 
 namespace tutorial {
 /*!
