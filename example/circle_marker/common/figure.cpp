@@ -103,6 +103,9 @@ std::string setupOf(const Panel &panel)
   if (least > most) {
     out << "set yrange " << nothing;
   }
+  else if (most == 0. && least == 0. && panel.setup.find("*]") != std::string::npos) {
+    out << "set yrange [0:1]\n"; // Half of the range is the setup's own, the other cannot be found.
+  }
   return out.str();
 }
 
