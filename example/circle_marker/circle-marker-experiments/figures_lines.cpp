@@ -126,8 +126,10 @@ CaptionedFigure errors(const RunData &data)
     figure.panels.push_back(position);
     figure.panels.push_back(normal);
   }
-  return {figure, "Not in the thesis: what is left of the errors. On the optical axis the marker faces the camera and "
-                  "shows its tilt in the second order only: its normal is known worst of all poses there."};
+  return {figure,
+          "Not in the thesis: what is left of the errors. On the optical axis the marker faces the camera and "
+          "shows its tilt in the second order only: its normal is known worst of all poses there. The bound is of "
+          "first order in the tilt: where it exceeds some degrees the true limit is less."};
 }
 } // namespace
 
