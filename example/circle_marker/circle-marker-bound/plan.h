@@ -50,7 +50,7 @@ struct Settings
   unsigned int height = imageHeight; //!< Pixels.
   std::string family = "golay23";
   int id = 0;                   //!< Ignored by families without code.
-  double ratio = 0.7;           //!< Inner over outer diameter of a plain ring.
+  double ratio = 0.8;           //!< Inner over outer diameter of a plain ring.
   double size = defaultRing;    //!< Outer diameter of the ring, metres.
   vpScenePhotometry photometry; //!< Paper, ink, blur, and the noise without rounding.
   vpMarkerPoseBound::Surround surround = vpMarkerPoseBound::UNKNOWN_SURROUND;

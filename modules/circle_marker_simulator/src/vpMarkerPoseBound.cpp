@@ -80,9 +80,9 @@ Eigen::MatrixXd inverseOf(const Eigen::MatrixXd &M)
 }
 
 // Information of the pose when the nuisances are unknown (Schur complement); the spin is left out without a code.
-Eigen::MatrixXd poseInformation(const Eigen::MatrixXd &J, const Eigen::VectorXd &weights, int dof)
+Eigen::MatrixXd poseInformation(const ViewDerivatives &J, const Eigen::VectorXd &weights, int dof)
 {
-  const Eigen::MatrixXd all = J.transpose() * weights.asDiagonal() * J;
+  const Eigen::MatrixXd all = informationOf(J, weights);
   const auto pose = all.topLeftCorner(dof, dof);
   const auto mixed = all.block(0, PAPER, dof, VIEW_PARAMETERS - PAPER);
   const Eigen::MatrixXd nuisance = all.bottomRightCorner(VIEW_PARAMETERS - PAPER, VIEW_PARAMETERS - PAPER);
@@ -192,7 +192,7 @@ vpPoseBound vpMarkerPoseBound::bound(const vpSimulatedMarker &marker) const
   vpPoseBound result;
   result.dof = dofOf(marker);
   const int dof = static_cast<int>(result.dof);
-  const Eigen::MatrixXd J = view.derivatives(state, axes, allFree(result.dof == 6));
+  const ViewDerivatives J = view.derivatives(state, axes, allFree(result.dof == 6));
   const Eigen::VectorXd weights = weightsOf(view, state, m_photometry.noiseSigma, m_surround);
   const Eigen::MatrixXd information = poseInformation(J, weights, dof);
   Matrix6d covariance = Matrix6d::Zero();

@@ -86,6 +86,16 @@ vpCameraParameters shifted(const vpCameraParameters &cam, double left, double to
 
 } // namespace
 
+ViewMatrix informationOf(const ViewDerivatives &J, const Eigen::VectorXd &weights)
+{
+  ViewMatrix information = ViewMatrix::Zero();
+  for (Eigen::Index i = 0; i < J.rows(); ++i) {
+    const ViewStep row = J.row(i).transpose();
+    information += weights[i] * row * row.transpose();
+  }
+  return information;
+}
+
 Eigen::Matrix3d turnAxes(const vpHomogeneousMatrix &cMo)
 {
   Eigen::Matrix3d axes;
@@ -230,10 +240,10 @@ double MarkerView::stepOf(const ViewState &state, const Eigen::Matrix3d &axes, i
   return parameter < TURN ? size : std::min(size, LARGEST_TURN);
 }
 
-Eigen::MatrixXd MarkerView::derivatives(const ViewState &state, const Eigen::Matrix3d &axes,
+ViewDerivatives MarkerView::derivatives(const ViewState &state, const Eigen::Matrix3d &axes,
                                         const FreeParameters &free) const
 {
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(size(), VIEW_PARAMETERS);
+  ViewDerivatives J = ViewDerivatives::Zero(size(), VIEW_PARAMETERS);
   for (int k = CENTRE; k <= SPIN; ++k) {
     if (free[k]) {
       ViewStep step = ViewStep::Zero();

@@ -57,6 +57,16 @@ using ViewStep = Eigen::Matrix<double, VIEW_PARAMETERS, 1>;
 //! Which parameters are to be changed.
 using FreeParameters = std::array<bool, VIEW_PARAMETERS>;
 
+//! One row for each pixel.
+using ViewDerivatives = Eigen::Matrix<double, Eigen::Dynamic, VIEW_PARAMETERS, Eigen::RowMajor>;
+using ViewMatrix = Eigen::Matrix<double, VIEW_PARAMETERS, VIEW_PARAMETERS>;
+
+/*!
+  J^T W J. Row by row: Eigen's product of large matrices would start threads of its own, which here only get into one
+  another's way.
+*/
+ViewMatrix informationOf(const ViewDerivatives &J, const Eigen::VectorXd &weights);
+
 //! Two axes across the marker's normal, and the normal, as columns, in the camera frame.
 Eigen::Matrix3d turnAxes(const vpHomogeneousMatrix &cMo);
 
@@ -84,7 +94,7 @@ public:
   Eigen::VectorXd image(const ViewState &state) const;
 
   //! Derivatives of the pixels by the free parameters, by differences, 0 for the others; one row for each pixel.
-  Eigen::MatrixXd derivatives(const ViewState &state, const Eigen::Matrix3d &axes, const FreeParameters &free) const;
+  ViewDerivatives derivatives(const ViewState &state, const Eigen::Matrix3d &axes, const FreeParameters &free) const;
 
   //! Share of what each pixel sees that lies beyond the sheet.
   Eigen::VectorXd shareBeyondSheet(const ViewState &state) const;

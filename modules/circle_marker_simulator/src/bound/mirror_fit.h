@@ -37,7 +37,8 @@ vpHomogeneousMatrix mirrored(const vpHomogeneousMatrix &cMo);
 /*!
   Fits the mirrored pose to the image of the true one by damped Gauss-Newton steps (Levenberg and Marquardt).
 
-  First centre, spin and nuisances, the normal held; then everything. Where the second fit runs back to the side of the
+  First centre, spin and nuisances, the normal held; then everything, unless the two images differ by 40 standard
+  deviations of the noise, where a few per cent do not matter. Where the second fit runs back to the side of the
   true normal, the two poses have one minimum in common, and the first fit is returned.
 
   \param weights : inverse of each pixel's variance.

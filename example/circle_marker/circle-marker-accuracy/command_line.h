@@ -1,0 +1,38 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Command line of circle-marker-accuracy.
+ */
+
+#ifndef VP_ACCURACY_COMMAND_LINE_H
+#define VP_ACCURACY_COMMAND_LINE_H
+
+#include <optional>
+#include <string>
+
+#include "settings.h"
+
+namespace accuracy {
+/*! What the command line asks for: a measurement, or the help to show. */
+struct Request
+{
+  std::optional<Settings> settings;
+  std::string help;
+};
+
+/*! \exception UsageError : If the arguments are wrong. */
+Request parseCommandLine(int argc, const char *const argv[]);
+} // namespace accuracy
+
+#endif
