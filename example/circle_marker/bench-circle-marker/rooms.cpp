@@ -59,7 +59,7 @@ struct Visit
   Workers workers;
   const ReusedList<EllipseCandidate> *outlines = nullptr;
   std::vector<Recognition> markers;
-  std::vector<FitPixel> pixels;
+  MeasureMemory measuring;
 };
 
 using Room = std::function<void(Visit &)>;
@@ -116,7 +116,7 @@ void recogniseAll(Visit &visit)
 void measureAll(Visit &visit)
 {
   for (const Recognition &marker : visit.markers) {
-    auto measured = measure(visit.scene.image, visit.camera, marker, true, visit.pixels);
+    auto measured = measure(visit.scene.image, visit.camera, marker, true, visit.measuring);
     benchmark::DoNotOptimize(measured);
   }
 }

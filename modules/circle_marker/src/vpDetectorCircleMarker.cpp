@@ -180,7 +180,7 @@ std::optional<vpDetectorCircleMarker::Impl::Found>
 vpDetectorCircleMarker::Impl::measureMarker(const EllipseCandidate &outline, const Recognition &marker,
                                             const CameraModel &camera, Bench &bench) const
 {
-  const auto measurement = measure(image, camera, marker, settings.refinePose, bench.pixels);
+  const auto measurement = measure(image, camera, marker, settings.refinePose, bench.measuring);
   if (!measurement) {
     return std::nullopt;
   }
@@ -203,7 +203,7 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
     return std::nullopt;
   }
   m_benches.resize(std::max<std::size_t>(m_benches.size(), 1));
-  const auto measurement = measure(image, camera, *marker, settings.refinePose, m_benches.front().pixels);
+  const auto measurement = measure(image, camera, *marker, settings.refinePose, m_benches.front().measuring);
   if (!measurement) {
     return std::nullopt;
   }

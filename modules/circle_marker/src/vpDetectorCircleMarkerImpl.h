@@ -26,7 +26,7 @@
 #include "decode/marker_places.h"
 #include "decode/recognise.h"
 #include "ellipse/outlines.h"
-#include "refine/fit_pixels.h"
+#include "refine/measure.h"
 #include "support/detector_settings.h"
 #include "support/workers.h"
 
@@ -74,7 +74,7 @@ private:
   struct Bench
   {
     std::vector<Eigen::Vector2d> meters;         //!< Points of an outline.
-    std::vector<circle_marker::FitPixel> pixels; //!< Of the refinement.
+    circle_marker::MeasureMemory measuring; //!< Of the refinement.
   };
 
   void examineAll(double size, const circle_marker::CameraModel &camera, const circle_marker::Deadline &deadline);

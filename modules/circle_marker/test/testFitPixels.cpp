@@ -20,6 +20,7 @@
 #include <set>
 
 #include "refine/fit_pixels.h"
+#include "refine/pattern_distance.h"
 
 using namespace circle_marker;
 using namespace room_test;
@@ -75,8 +76,10 @@ TEST(FitPixels, EveryPixelNearAnEdgeOnce)
       EXPECT_LT((where - Eigen::Vector2d(u, v)).norm(), 1e-6);
       EXPECT_EQ(pixel.grey, I[static_cast<unsigned int>(v)][u]);
       EXPECT_TRUE(chosen.insert({u, v}).second);
-      // On the print, or on its quiet zone.
-      EXPECT_LT(scene.onMarker(u, v).norm(), 1. + family.getLayout().quietZone);
+      // On the print, or on its quiet zone; or near its end, and then that is said.
+      if (scene.onMarker(u, v).norm() > 1. + family.getLayout().quietZone) {
+        EXPECT_GT(pixel.surround, 0.45);
+      }
     }
     for (unsigned int v = 0; v < side; ++v) {
       for (unsigned int u = 0; u < side; ++u) {
@@ -102,7 +105,7 @@ TEST(FitPixels, SurroundIsWhatMayBeSeenBeyondTheQuietZone)
     const Eigen::Vector2d where = pixelOf(pixel, scene);
     const double inside = (1. + quietZone - scene.onMarker(where.x(), where.y()).norm()) / radiusPerPixel;
     EXPECT_NEAR(pixel.surround, 0.5 * std::erfc(inside / commonBlur * M_SQRT1_2), 0.02) << inside << " pixels inside";
-    EXPECT_LT(pixel.surround, 0.5);
+    EXPECT_LE(pixel.surround, 0.9);
     seeing += pixel.surround > 0.05;
   }
   EXPECT_GT(seeing, 20);

@@ -18,6 +18,7 @@
 #include "testRoomTools.h"
 
 #include "refine/image_model.h"
+#include "refine/pattern_distance.h"
 #include "support/camera_model.h"
 
 using namespace circle_marker;

@@ -19,6 +19,7 @@
 
 #include <Eigen/LU>
 
+#include "refine/image_model.h"
 #include "refine/maximum_likelihood.h"
 
 using namespace circle_marker;
@@ -122,7 +123,8 @@ FitSettings settingsOf(const vpCircleMarkerFamily &family)
 std::optional<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const MarkerPlane &start,
                                  const MarkerPattern &pattern, const FitSettings &settings)
 {
-  return fitPose(pixels, {start, std::nullopt, std::nullopt}, pattern, settings);
+  FitMemory memory;
+  return fitPose(pixels, {start, std::nullopt, std::nullopt}, pattern, settings, memory);
 }
 
 int randomId(Random &random, const vpCircleMarkerFamily &family)
@@ -149,8 +151,9 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       BlurParameters blur;
       blur.sigma = uniform(random, 0.6, 1.2);
       fillFromModel(made, light, blur, 0., random);
-      const auto fit =
-          fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.03), made.pattern, settingsOf(family));
+      FitSettings settings = settingsOf(family);
+      settings.convergence = 0.01; // with noise less would do; here it would be the largest error
+      const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.03), made.pattern, settings);
       ASSERT_TRUE(fit);
       const MarkerPlane truth = made.scene.plane();
       EXPECT_LT((fit->plane.center - truth.center).norm() / truth.center.z(), 1e-6)
@@ -162,8 +165,9 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       EXPECT_NEAR(fit->photometry.light, light.level, 1e-3);
       EXPECT_NEAR(fit->photometry.contrast, light.contrast, 1e-5);
       EXPECT_LT((fit->photometry.lightGradient - light.gradient).norm(), 1e-3);
-      EXPECT_NEAR(fit->photometry.blur.sigma, blur.sigma, 1e-5);
-      EXPECT_NEAR(fit->photometry.blur.growth, 0., 1e-5);
+      // A tenth of what the noise of rounding alone, the least that is assumed, leaves uncertain.
+      EXPECT_NEAR(fit->photometry.blur.sigma, blur.sigma, 1e-4);
+      EXPECT_NEAR(fit->photometry.blur.growth, 0., 1e-4);
       EXPECT_GT(fit->correlation, 0.999999);
       EXPECT_GT(fit->inliers, 0.99);
     }
@@ -281,7 +285,9 @@ TEST(MaximumLikelihood, WithoutIterationsTheStartIsOnlyJudged)
   const auto truth = fitAll(made.pixels, made.scene.plane(), made.pattern, settings);
   ASSERT_TRUE(truth);
   EXPECT_GT(truth->correlation, fit->correlation);
-  EXPECT_LT(robustSquares(made.pixels, *truth, made.pattern, 1.), robustSquares(made.pixels, *fit, made.pattern, 1.));
+  FitMemory memory;
+  EXPECT_LT(robustSquares(made.pixels, *truth, made.pattern, truth->photometry, 1., memory),
+            robustSquares(made.pixels, *fit, made.pattern, truth->photometry, 1., memory));
 }
 
 TEST(MaximumLikelihood, SpinStaysWithoutACode)
@@ -300,7 +306,7 @@ TEST(MaximumLikelihood, SpinStaysWithoutACode)
     const Eigen::Vector3d n = fit->plane.rotation.col(2);
     const double spinVariance = n.dot(fit->covariance.bottomRightCorner<3, 3>() * n);
     EXPECT_LT(spinVariance, 1e-7);
-    EXPECT_GE(spinVariance, 0.);
+    EXPECT_GE(spinVariance, -1e-15); // 0, to rounding
   }
 }
 
@@ -324,8 +330,9 @@ TEST(MaximumLikelihood, EveryThirdPixelWillDo)
     EXPECT_NEAR(std::sqrt(third->covariance(2, 2) / all->covariance(2, 2)), std::sqrt(3.), 0.35);
     EXPECT_LT(mahalanobis(*third, truth, true), 40.9);
     // From where another fit ended there is nothing left to do.
+    FitMemory memory;
     const auto again =
-        fitPose(made.pixels, {all->plane, all->photometry, all->noise}, made.pattern, settingsOf(family));
+        fitPose(made.pixels, {all->plane, all->photometry, all->noise}, made.pattern, settingsOf(family), memory);
     ASSERT_TRUE(again);
     const Eigen::Matrix<double, 6, 1> e = errorOf(again->plane, all->plane);
     EXPECT_LT(e.dot(all->covariance.inverse() * e), 6. * 0.1 * 0.1);

@@ -67,8 +67,8 @@ TEST(Measure, TheTruthComesFirst)
       const MarkerScene scene =
           markerScene(random, family, id, uniform(random, 60., 100.), uniform(random, 0.35, 0.9), side);
       const vpImage<unsigned char> I = digitise(expose(side, side, 0.7, scene), 2., random);
-      std::vector<FitPixel> pixels;
-      const auto result = measure(I, CameraModel(scene.camera()), recognised(scene, id, i % 2), true, pixels);
+      MeasureMemory memory;
+      const auto result = measure(I, CameraModel(scene.camera()), recognised(scene, id, i % 2), true, memory);
       ASSERT_TRUE(result) << family.getName();
       EXPECT_LT(angleBetween(result->first.plane.rotation.col(2), scene.rotation.col(2)), 0.02) << family.getName();
       EXPECT_LT((result->first.plane.center - scene.center).norm(), 0.005 * scene.center.z());
@@ -90,8 +90,8 @@ TEST(Measure, ADiscCannotTellItsPosesApart)
   for (int i = 0; i < 20; ++i) {
     const MarkerScene scene = markerScene(random, family, -1, 60., uniform(random, 0.35, 0.8), side);
     const vpImage<unsigned char> I = digitise(expose(side, side, 0.7, scene), 2., random);
-    std::vector<FitPixel> pixels;
-    const auto result = measure(I, CameraModel(scene.camera()), recognised(scene, -1, i % 2), true, pixels);
+    MeasureMemory memory;
+    const auto result = measure(I, CameraModel(scene.camera()), recognised(scene, -1, i % 2), true, memory);
     ASSERT_TRUE(result);
     ASSERT_TRUE(result->second);
     EXPECT_LE(result->cost, result->cost2);
@@ -117,8 +117,8 @@ TEST(Measure, FrontalPosesAreOne)
   marker.family = family;
   marker.code.id = 8;
   marker.poses = {scene.plane(), scene.plane()};
-  std::vector<FitPixel> pixels;
-  const auto result = measure(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), marker, true, pixels);
+  MeasureMemory memory;
+  const auto result = measure(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), marker, true, memory);
   ASSERT_TRUE(result);
   EXPECT_FALSE(result->second);
   EXPECT_EQ(result->cost2, HUGE_VAL);
@@ -131,8 +131,8 @@ TEST(Measure, WithoutRefinementThePosesStay)
   for (int i = 0; i < 10; ++i) {
     const MarkerScene scene = markerScene(random, family, 8, 80., uniform(random, 0.4, 0.8), side);
     const Recognition marker = recognised(scene, 8, i % 2);
-    std::vector<FitPixel> pixels;
-    const auto result = measure(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), marker, false, pixels);
+    MeasureMemory memory;
+    const auto result = measure(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), marker, false, memory);
     ASSERT_TRUE(result);
     EXPECT_EQ(result->first.plane.center, scene.center);
     EXPECT_EQ(result->first.plane.rotation, scene.rotation);
@@ -143,17 +143,17 @@ TEST(Measure, WhatIsNotTheMarkerIsRefused)
 {
   Random random = randomOfTest();
   const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
-  std::vector<FitPixel> pixels;
+  MeasureMemory memory;
   for (int i = 0; i < 20; ++i) {
     const MarkerScene scene = markerScene(random, family, 8, 80., uniform(random, 0., 0.8), side);
     const CameraModel camera(scene.camera());
     // Noise, a flat image, a picture of another kind.
     vpImage<double> noise(side, side, 127.);
-    EXPECT_FALSE(measure(digitise(noise, 40., random), camera, recognised(scene, 8, false), true, pixels));
-    EXPECT_FALSE(measure(vpImage<unsigned char>(side, side, 200), camera, recognised(scene, 8, false), true, pixels));
+    EXPECT_FALSE(measure(digitise(noise, 40., random), camera, recognised(scene, 8, false), true, memory));
+    EXPECT_FALSE(measure(vpImage<unsigned char>(side, side, 200), camera, recognised(scene, 8, false), true, memory));
     const vpImage<unsigned char> stripes =
         photograph(side, side, 0.7, [](double u, double v) { return std::sin(0.3 * u + 0.2 * v) > 0. ? ink : paper; });
-    EXPECT_FALSE(measure(stripes, camera, recognised(scene, 8, false), true, pixels));
+    EXPECT_FALSE(measure(stripes, camera, recognised(scene, 8, false), true, memory));
   }
 }
 
@@ -164,10 +164,10 @@ TEST(Report, CovarianceInTheCameraFrame)
   Random random = randomOfTest();
   const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
   const MarkerScene scene = markerScene(random, family, 8, 80., 0.5, side);
-  std::vector<FitPixel> pixels;
+  MeasureMemory memory;
   const CameraModel camera(scene.camera());
   const Recognition marker = recognised(scene, 8, false);
-  auto result = measure(digitise(expose(side, side, 0.7, scene), 2., random), camera, marker, true, pixels);
+  auto result = measure(digitise(expose(side, side, 0.7, scene), 2., random), camera, marker, true, memory);
   ASSERT_TRUE(result);
   const vpCircleMarkerDetection detection = reportOf(marker, *result, camera, 0.9, true);
   EXPECT_EQ(detection.dof, 6u);
@@ -203,10 +203,10 @@ TEST(Report, FramesSpinAndEllipse)
     const vpCircleMarkerFamily family(type);
     const int id = family.isCoded() ? 8 : -1;
     const MarkerScene scene = markerScene(random, family, id, 80., 0.6, side);
-    std::vector<FitPixel> pixels;
+    MeasureMemory memory;
     const CameraModel camera(scene.camera());
     const Recognition marker = recognised(scene, id, false);
-    const auto result = measure(photograph(side, side, 0.7, scene), camera, marker, true, pixels);
+    const auto result = measure(photograph(side, side, 0.7, scene), camera, marker, true, memory);
     ASSERT_TRUE(result);
     const vpCircleMarkerDetection aligned = reportOf(marker, *result, camera, 1., true);
     const vpCircleMarkerDetection turned = reportOf(marker, *result, camera, 1., false);

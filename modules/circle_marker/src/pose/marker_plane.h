@@ -58,6 +58,20 @@ struct MarkerPlane
     rotation = rotation * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   }
 };
+
+/*! How far the outline moves in the image from one pose to another, normalised coordinates, as four points show it. */
+inline double outlineMotion(const MarkerPlane &from, const MarkerPlane &to)
+{
+  double squared = 0.;
+  for (const double x : {-1., 1.}) {
+    for (const Eigen::Vector2d &q : {Eigen::Vector2d(x, 0.), Eigen::Vector2d(0., x)}) {
+      // The spin moves no outline: the same points of space, about, are compared.
+      const Eigen::Vector2d p = from.rotation.leftCols<2>().transpose() * to.rotation.leftCols<2>() * q;
+      squared = std::max(squared, (to.project(q) - from.project(p.normalized())).squaredNorm());
+    }
+  }
+  return std::sqrt(squared);
+}
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -20,31 +20,42 @@
 
 #include <vector>
 
-#include "refine/image_model.h"
+#include "pose/marker_plane.h"
+#include "refine/marker_pattern.h"
 #include "support/camera_model.h"
 
 #include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! A pixel as the model needs it. */
+struct ModelPixel
+{
+  Eigen::Vector2d meter;         //!< Normalised coordinates of its centre.
+  Eigen::Matrix2d meterPerPixel; //!< Their derivative with respect to the pixel.
+};
+
 /*! A pixel of the image with what the model needs of it. */
 struct FitPixel
 {
   ModelPixel model;
-  Eigen::Vector2d offset; //!< From the marker's centre, in units of its image's size: for the light's gradient.
-  double grey = 0.;       //!< Measured grey level.
-  double surround = 0.;   //!< Share of what it sees that may lie beyond the quiet zone, where anything may be.
+  Eigen::Vector2d offset =
+      Eigen::Vector2d::Zero(); //!< From the marker's centre, in units of its image's size: for the light's gradient.
+  double grey = 0.;            //!< Measured grey level.
+  double surround = 0.;        //!< Share of what it sees that may lie beyond the quiet zone, where anything may be.
+  double beyond = 0.;          //!< Grey level seen farther out in that direction.
+  double beyondSpread = 0.;    //!< And its standard deviation there: HUGE_VAL if nothing is seen.
 };
 
 /*!
   Chooses the pixels that carry information on the pose: those near an edge of the pattern in any of the hypotheses,
-  and a few of the flat areas that fix white and black. Large markers are thinned to keep the number bounded.
+  and a few of the flat areas that fix white and black. Very large markers are thinned to keep the number bounded.
   \param I : The image.
   \param camera : Its camera.
   \param planes, count : The hypotheses.
   \param pattern : The print.
   \param blur : Blur expected at the edges, pixels: the width of the band around them.
-  \param quietZone : Width of the white margin, in units of the outer radius: nothing beyond it is used.
+  \param quietZone : Width of the white margin, in units of the outer radius: beyond it nothing is known.
   \param most : Number of pixels from which the marker is thinned.
   \param pixels : The result; its memory is used again.
 */

@@ -17,287 +17,313 @@
 
 #include "refine/image_model.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-
-#include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Edges farther than this many standard deviations of the blur do not touch a pixel (1e-6 of the contrast).
-constexpr double reach = 4.8;
-// A circular edge farther than this many standard deviations, to first order, is not looked at any closer.
-constexpr double farAway = 6.;
-// Sectors' edges considered to either side of a pixel: with sectors of a pixel, the third is beyond three sigma.
-constexpr int neighbours = 2;
+// The second-order distance to a circle is not let further from the first-order one than by this share, and the shift
+// by its curvature not beyond half of the blur: only pixels that do not see the circle come so far.
+constexpr float leastStretch = 0.8f;
+constexpr float mostStretch = 1.25f;
+constexpr float mostCurvature = 1.f;
+// Terms of the tetrachoric series: as many as leave 2e-4 of the contrast, but no more than these.
+constexpr int mostCornerTerms = 10;
+constexpr double cornerPrecision = 2e-4;
+// Product of two densities below which a corner is not seen.
+constexpr float leastCorner = 1e-5f;
+// A block that is farther from an edge than this many standard deviations of the blur, to first order, does not see it.
+constexpr float farAway = 6.f;
+// Inner radius of a ring without one, in units of the outer: so far away that no pixel sees it.
+constexpr float noEdge = -100.f;
 
-// A pixel on the marker's plane and how the plane's coordinates change with pixel and pose.
-struct PlanePoint
+// What the curvature of circles about the centre needs of a block's pixels.
+struct CurvatureLanes
 {
-  Eigen::Vector2d q;                  // in units of the outer radius
-  Eigen::Matrix2d byPixel;            // dq / d(pixel)
-  Eigen::Matrix<double, 2, 6> byPose; // dq / d(t, w)
+  Lanes perGradient;  // 1 / length of the radius' gradient in the image, pixels
+  Lanes alongNormal;  // second derivative of the radius along the gradient, by the gradient, 1 / pixel
+  Lanes alongTangent; // and along the circle
 };
 
-PlanePoint planePoint(const ModelPixel &pixel, const MarkerPlane &plane)
+void curvatureOf(const PlaneLanes &p, CurvatureLanes &curvature)
 {
-  const Eigen::Vector3d ray(pixel.meter.x(), pixel.meter.y(), 1.);
-  const Eigen::Vector3d normal = plane.rotation.col(2);
-  const double slope = normal.dot(ray);
-  const double depth = normal.dot(plane.center) / slope;
-  const Eigen::Vector3d m = depth * ray - plane.center;
-  PlanePoint point;
-  for (int axis = 0; axis < 2; ++axis) {
-    const Eigen::Vector3d e = plane.rotation.col(axis);
-    const double ratio = e.dot(ray) / slope;
-    point.q[axis] = e.dot(m) / plane.radius;
-    const Eigen::Vector3d byRay = depth * (e - ratio * normal) / plane.radius;
-    point.byPixel.row(axis) = byRay.head<2>().transpose() * pixel.meterPerPixel;
-    point.byPose.block<1, 3>(axis, 0) = (ratio * normal - e).transpose() / plane.radius;
-    point.byPose.block<1, 3>(axis, 3) = (e.cross(m) - ratio * normal.cross(m)).transpose() / plane.radius;
-  }
-  return point;
+  curvature.perGradient = p.gradient.inverse();
+  const Lanes perRadius = p.radius.inverse();
+  const Lanes hu = p.qyByU * p.outX - p.qxByU * p.outY;
+  const Lanes hv = p.qyByV * p.outX - p.qxByV * p.outY;
+  const Lanes normal = (hu * p.gradientU + hv * p.gradientV) * curvature.perGradient;
+  const Lanes tangent = (hv * p.gradientU - hu * p.gradientV) * curvature.perGradient;
+  curvature.alongNormal = normal * normal * perRadius * curvature.perGradient;
+  curvature.alongTangent = tangent * tangent * perRadius * curvature.perGradient;
 }
 
-// An edge that a pixel may see both sides of: share of what lies on its black side, and derivatives.
-struct SeenEdge
+// An edge that none of the pixels sees: all are on the same side of it as this distance.
+void seeNothing(const Lanes &distance, EdgeLanes &edge)
 {
-  double standardised = 0.;                            // distance in standard deviations
-  double cumulative = 0.;                              // share of the black side
-  double density = 0.;                                 // of the standard normal distribution there
-  Eigen::Vector2d direction = Eigen::Vector2d::Zero(); // unit vector in the image, to the black side
-  Eigen::Vector2d byQ = Eigen::Vector2d::Zero();       // derivative of the share by the plane's coordinates
-  double bySigma = 0.;
-  double byGrowth = 0.;
-};
-
-// Polar quantities of a plane point that all circular edges share.
-struct Polar
-{
-  double radius;
-  Eigen::Vector2d outward;   // unit vector in the plane
-  Eigen::Vector2d direction; // unit vector of the radius' gradient in the image
-  double gradient;           // its length, 1 / pixel
-  double alongNormal;        // second derivative of the radius along the gradient, 1 / pixel^2
-  double alongTangent;       // and along the edge
-};
-
-Polar polarOf(const PlanePoint &point)
-{
-  Polar polar;
-  // At the very centre the direction does not matter: no edge is near.
-  polar.radius = std::max(point.q.norm(), 1e-6);
-  polar.outward = point.q / polar.radius;
-  const Eigen::Vector2d around(-polar.outward.y(), polar.outward.x());
-  const Eigen::Vector2d g = point.byPixel.transpose() * polar.outward;
-  const Eigen::Vector2d h = point.byPixel.transpose() * around;
-  polar.gradient = g.norm();
-  polar.direction = g / polar.gradient;
-  const Eigen::Vector2d tangent(-polar.direction.y(), polar.direction.x());
-  polar.alongNormal = h.dot(polar.direction) * h.dot(polar.direction) / polar.radius;
-  polar.alongTangent = h.dot(tangent) * h.dot(tangent) / polar.radius;
-  return polar;
+  edge.standardised = (1e30f * distance).max(-6.5f).min(6.5f);
+  edge.normal.cumulative = (1e30f * distance).max(0.f).min(1.f);
+  edge.normal.density.setZero();
+  edge.byRadius.setZero();
+  edge.bySigma.setZero();
 }
 
-SeenEdge seeCircle(const Polar &polar, const RadialEdge &edge, const BlurParameters &blur)
+// Circle of a radius, black inside (blackSide 1) or outside (-1).
+void seeCircle(const PlaneLanes &p, const CurvatureLanes &curvature, float radius, float blackSide, float sigma,
+               float growth, EdgeLanes &edge)
 {
-  const double difference = edge.radius - polar.radius;
-  SeenEdge seen;
-  // Far from the edge its side is all there is to say: near the centre the curvature below grows beyond all bounds.
-  if (std::abs(difference) > farAway * blur.sigma * polar.gradient) {
-    seen.cumulative = difference * edge.blackSide > 0. ? 1. : 0.;
-    return seen;
+  const float perSigma = 1.f / sigma;
+  const Lanes first = (radius - p.radius) * curvature.perGradient;
+  if (first.abs().minCoeff() > farAway * sigma) {
+    seeNothing(blackSide * first, edge);
+    return;
   }
   // Second-order distance along the gradient to the level set of the radius.
-  const double distance =
-      difference / polar.gradient * (1. - 0.5 * polar.alongNormal * difference / (polar.gradient * polar.gradient));
-  const double curvature = polar.alongTangent / polar.gradient;
-  const double inside = distance / blur.sigma - 0.5 * curvature * blur.sigma;
-  seen.standardised = edge.blackSide * inside + blur.growth / blur.sigma;
-  const auto normal = NormalDistribution::instance().at(seen.standardised);
-  seen.cumulative = normal.cumulative;
-  seen.density = normal.density;
-  seen.direction = -edge.blackSide * polar.direction;
-  seen.byQ = -edge.blackSide * normal.density / (polar.gradient * blur.sigma) * polar.outward;
-  seen.bySigma = normal.density * (edge.blackSide * (-distance / (blur.sigma * blur.sigma) - 0.5 * curvature) -
-                                   blur.growth / (blur.sigma * blur.sigma));
-  seen.byGrowth = normal.density / blur.sigma;
-  return seen;
+  const Lanes stretch = (1.f - 0.5f * curvature.alongNormal * first).max(leastStretch).min(mostStretch);
+  const Lanes scaled = perSigma * first * stretch;
+  const Lanes shift = (0.5f * sigma) * curvature.alongTangent.min(mostCurvature * perSigma);
+  edge.standardised = blackSide * (scaled - shift) + growth * perSigma;
+  edge.normal = normalOf(edge.standardised);
+  edge.byRadius = (-blackSide * perSigma) * curvature.perGradient;
+  edge.bySigma = -perSigma * (blackSide * (scaled + shift) + growth * perSigma);
 }
 
-// The edge between sector k - 1 and sector k; blackSide is 1 if sector k is the black one.
-SeenEdge seeSectorEdge(const PlanePoint &point, const Eigen::Vector2d &across, double blackSide,
-                       const BlurParameters &blur)
+// Black between two circles.
+void seeBand(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner, float perSigma, SumLanes &band)
 {
-  const Eigen::Vector2d g = point.byPixel.transpose() * across;
-  const double gradient = g.norm();
-  SeenEdge seen;
-  seen.standardised = (blackSide * across.dot(point.q) / gradient + blur.growth) / blur.sigma;
-  const auto normal = NormalDistribution::instance().at(seen.standardised);
-  seen.cumulative = normal.cumulative;
-  seen.density = normal.density;
-  seen.direction = blackSide * g / gradient;
-  seen.byQ = blackSide * normal.density / (gradient * blur.sigma) * across;
-  seen.bySigma = -normal.density * seen.standardised / blur.sigma;
-  seen.byGrowth = normal.density / blur.sigma;
-  return seen;
+  band.value = outer.normal.cumulative + inner.normal.cumulative - 1.f;
+  const Lanes byRadius = outer.normal.density * outer.byRadius + inner.normal.density * inner.byRadius;
+  band.byX = byRadius * p.outX;
+  band.byY = byRadius * p.outY;
+  band.bySigma = outer.normal.density * outer.bySigma + inner.normal.density * inner.bySigma;
+  band.byGrowth = perSigma * (outer.normal.density + inner.normal.density);
 }
 
-// Sum of what a pixel sees, with the derivative by the plane's coordinates.
-struct Sum
+// Probability of both sides of two edges less the product of the probabilities, and its derivatives.
+struct CornerLanes
 {
-  double value = 0.;
-  Eigen::Vector2d byQ = Eigen::Vector2d::Zero();
-  double bySigma = 0.;
-  double byGrowth = 0.;
-
-  void add(const SeenEdge &edge, double weight)
-  {
-    value += weight * edge.cumulative;
-    byQ += weight * edge.byQ;
-    bySigma += weight * edge.bySigma;
-    byGrowth += weight * edge.byGrowth;
-  }
+  Lanes value;
+  Lanes byA;
+  Lanes byB;
 };
 
-// Band between two circles: black inside the outer and outside the inner.
-Sum seeBand(const SeenEdge &outer, const SeenEdge &inner)
+// By the tetrachoric series, whose n-th term is rho^(n+1) / (n+1)! He_n(a) He_n(b) with the Hermite polynomials He_n,
+// all times both densities; the derivative of a density times He_n is that of - He_(n+1).
+CornerLanes cornerOf(const Lanes &a, const Lanes &b, const Lanes &density, const Lanes &rho, int terms)
 {
-  Sum band;
-  band.value = -1.;
-  band.add(outer, 1.);
-  band.add(inner, 1.);
-  return band;
-}
-
-struct SectorEdges
-{
-  std::array<SeenEdge, 2 * neighbours> edges;
-  int count = 0;
-};
-
-// Share of black along the angle, as if the track had no rims; and the edges, for their corners with the rims.
-Sum seeSectors(const PlanePoint &point, const MarkerPattern &pattern, const BlurParameters &blur, SectorEdges &seen)
-{
-  const double sectorAngle = 2. * M_PI / pattern.sectors;
-  const int sector = static_cast<int>(std::floor(std::atan2(point.q.y(), point.q.x()) / sectorAngle));
-  Sum sum;
-  // Black is counted from the first sector on: an edge to black adds the share beyond it, an edge to white takes away
-  // the share beyond it, which is 1 minus that of its black side.
-  sum.value = pattern.isBlack(sector - neighbours) ? 1. : 0.;
-  for (int k = sector - neighbours + 1; k <= sector + neighbours; ++k) {
-    const bool before = pattern.isBlack(k - 1);
-    const bool after = pattern.isBlack(k);
-    if (before == after) {
-      continue;
-    }
-    const SeenEdge edge = seeSectorEdge(point, pattern.acrossBorder(k), after ? 1. : -1., blur);
-    sum.add(edge, 1.);
-    if (before) {
-      sum.value -= 1.;
-    }
-    seen.edges[static_cast<std::size_t>(seen.count++)] = edge;
-  }
-  return sum;
-}
-
-// Probability of both sides of two edges less the product of the probabilities: the tetrachoric series, whose n-th term
-// is rho^(n+1) / (n+1)! He_n(a) He_n(b) with the Hermite polynomials He_n.
-double cornerExcess(const SeenEdge &p, const SeenEdge &q)
-{
-  // At a tilt of 70 degrees rho reaches 0.8; eight terms leave 0.1 % of the contrast there.
-  constexpr int terms = 8;
-  const double density = p.density * q.density;
-  if (density == 0.) {
-    return 0.;
-  }
-  const double rho = p.direction.dot(q.direction);
-  double power = rho;
-  double sum = 0.;
-  double hermiteA[2] = {1., 0.}; // He_n and He_(n-1) at a
-  double hermiteB[2] = {1., 0.};
+  Lanes power = rho;
+  Lanes hermiteA = Lanes::Ones(), previousA = Lanes::Zero();
+  Lanes hermiteB = Lanes::Ones(), previousB = Lanes::Zero();
+  CornerLanes corner = {Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
   for (int n = 0; n < terms; ++n) {
-    sum += power * hermiteA[0] * hermiteB[0];
-    power *= rho / (n + 2);
-    const double nextA = p.standardised * hermiteA[0] - n * hermiteA[1];
-    const double nextB = q.standardised * hermiteB[0] - n * hermiteB[1];
-    hermiteA[1] = hermiteA[0];
-    hermiteB[1] = hermiteB[0];
-    hermiteA[0] = nextA;
-    hermiteB[0] = nextB;
+    const auto order = static_cast<float>(n);
+    const Lanes nextA = a * hermiteA - order * previousA;
+    const Lanes nextB = b * hermiteB - order * previousB;
+    corner.value += power * hermiteA * hermiteB;
+    corner.byA -= power * nextA * hermiteB;
+    corner.byB -= power * hermiteA * nextB;
+    power *= rho / (order + 2.f);
+    previousA = hermiteA;
+    previousB = hermiteB;
+    hermiteA = nextA;
+    hermiteB = nextB;
   }
-  return density * sum;
+  corner.value *= density;
+  corner.byA *= density;
+  corner.byB *= density;
+  return corner;
+}
+
+int cornerTermsFor(double rho)
+{
+  int terms = 1;
+  // The Hermite functions are bounded so that term n is about a tenth of rho^(n+1) / (n+1).
+  while (terms < mostCornerTerms && 0.1 * std::pow(rho, terms + 1) / (terms + 1) > cornerPrecision) {
+    ++terms;
+  }
+  return terms;
 }
 } // namespace
+
+ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
+                       const PixelBlocks &blocks)
+    : m_homography(plane, blocks.reference)
+{
+  const Eigen::Vector3d c = -plane.rotation.transpose() * plane.center / plane.radius;
+  m_cx = static_cast<float>(c.x());
+  m_cy = static_cast<float>(c.y());
+  m_perDepth = static_cast<float>(-1. / c.z());
+  m_ring[0] = static_cast<float>(pattern.ring[0].radius);
+  m_ring[1] = pattern.ringEdges > 1 ? static_cast<float>(pattern.ring[1].radius) : noEdge;
+  m_track[0] = static_cast<float>(pattern.track[0].radius);
+  m_track[1] = static_cast<float>(pattern.track[1].radius);
+  m_borders = pattern.sectors > 0 ? blocks.borders : 0;
+  const double sectorAngle = pattern.sectors > 0 ? 2. * M_PI / pattern.sectors : 0.;
+  m_cosSector = static_cast<float>(std::cos(sectorAngle));
+  m_sinSector = static_cast<float>(std::sin(sectorAngle));
+  m_sigma = static_cast<float>(blur.sigma);
+  m_growth = static_cast<float>(blur.growth);
+  // Circle and radius meet in the image at the angle whose cosine is at most (1 - k^2) / (1 + k^2), k the cosine of the
+  // tilt.
+  const double squared = std::pow(plane.rotation.col(2).dot(plane.center.normalized()), 2.);
+  m_cornerTerms = cornerTermsFor((1. - squared) / (1. + squared));
+}
+
+// One border between sectors, and its corners with the track's rims.
+void ImageModel::seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner, const Lanes &acrossX,
+                           const Lanes &acrossY, const Lanes &change, SumLanes &code, SumLanes &corners) const
+{
+  const float perSigma = 1.f / m_sigma;
+  const Lanes gu = p.qxByU * acrossX + p.qyByU * acrossY;
+  const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
+  const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
+  const Lanes distance = perSigma * (acrossX * p.qx + acrossY * p.qy) * perGradient;
+  if (distance.abs().minCoeff() > farAway) {
+    code.value += change * (1e30f * distance).max(0.f).min(1.f);
+    return;
+  }
+  const Lanes standardised = distance + (perSigma * m_growth) * change;
+  const NormalLanes normal = normalOf(standardised);
+  const Lanes slope = perSigma * change * normal.density;
+  code.value += change * normal.cumulative;
+  code.byX += slope * perGradient * acrossX;
+  code.byY += slope * perGradient * acrossY;
+  code.bySigma -= slope * standardised;
+  code.byGrowth += slope * change;
+  const Lanes isEdge = change * change;
+  const Lanes density = isEdge * normal.density;
+  if ((density * (outer.normal.density + inner.normal.density)).maxCoeff() < leastCorner) {
+    return;
+  }
+  // Where the border meets a rim, both on their black sides.
+  const Lanes a = change * standardised;
+  const Lanes aByAcross = perSigma * change * perGradient;
+  const Lanes rho = (gu * p.gradientU + gv * p.gradientV) * perGradient * change / p.gradient;
+  const auto meet = [&](const EdgeLanes &rim, const Lanes &correlation) {
+    const CornerLanes corner = cornerOf(a, rim.standardised, density * rim.normal.density, correlation, m_cornerTerms);
+    const Lanes byRadius = corner.byB * rim.byRadius;
+    corners.value += corner.value;
+    corners.byX += corner.byA * aByAcross * acrossX + byRadius * p.outX;
+    corners.byY += corner.byA * aByAcross * acrossY + byRadius * p.outY;
+    corners.bySigma += corner.byB * rim.bySigma - perSigma * corner.byA * a;
+    corners.byGrowth += perSigma * (corner.byA + corner.byB);
+  };
+  meet(outer, -rho);
+  meet(inner, rho);
+}
+
+template <PixelSight sight, int borders>
+void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) const
+{
+  PlaneLanes p;
+  CurvatureLanes curvature;
+  m_homography.apply(block.place, p);
+  curvatureOf(p, curvature);
+  SumLanes total;
+  if (sight != PixelSight::TRACK) {
+    EdgeLanes outer, inner;
+    seeCircle(p, curvature, m_ring[0], 1.f, m_sigma, m_growth, outer);
+    seeCircle(p, curvature, m_ring[1], -1.f, m_sigma, m_growth, inner);
+    seeBand(p, outer, inner, 1.f / m_sigma, total);
+  }
+  if (sight != PixelSight::RING) {
+    EdgeLanes outer, inner;
+    SumLanes band, code;
+    seeCircle(p, curvature, m_track[0], 1.f, m_sigma, m_growth, outer);
+    seeCircle(p, curvature, m_track[1], -1.f, m_sigma, m_growth, inner);
+    seeBand(p, outer, inner, 1.f / m_sigma, band);
+    SumLanes corners;
+    for (SumLanes *sum : {&code, &corners}) {
+      sum->value.setZero();
+      sum->byX.setZero();
+      sum->byY.setZero();
+      sum->bySigma.setZero();
+      sum->byGrowth.setZero();
+    }
+    code.value = block.base;
+    // The first border is the nearest one turned back by the sectors between them.
+    Lanes acrossX = block.acrossX;
+    Lanes acrossY = block.acrossY;
+    for (int back = 0; back < borders / 2; ++back) {
+      const Lanes turned = m_cosSector * acrossX + m_sinSector * acrossY;
+      acrossY = m_cosSector * acrossY - m_sinSector * acrossX;
+      acrossX = turned;
+    }
+    for (int k = 0; k < borders; ++k) {
+      seeBorder(p, outer, inner, acrossX, acrossY, block.change[k + (mostBorders - borders) / 2], code, corners);
+      if (k + 1 < borders) {
+        const Lanes turned = m_cosSector * acrossX - m_sinSector * acrossY;
+        acrossY = m_cosSector * acrossY + m_sinSector * acrossX;
+        acrossX = turned;
+      }
+    }
+    const Lanes value = band.value * code.value + corners.value;
+    const Lanes byX = band.value * code.byX + code.value * band.byX + corners.byX;
+    const Lanes byY = band.value * code.byY + code.value * band.byY + corners.byY;
+    const Lanes bySigma = band.value * code.bySigma + code.value * band.bySigma + corners.bySigma;
+    const Lanes byGrowth = band.value * code.byGrowth + code.value * band.byGrowth + corners.byGrowth;
+    if (sight == PixelSight::TRACK) {
+      total = {value, byX, byY, bySigma, byGrowth};
+    }
+    else {
+      total = {total.value + value, total.byX + byX, total.byY + byY, total.bySigma + bySigma,
+               total.byGrowth + byGrowth};
+    }
+  }
+  const Lanes bySlope = (total.byX * (p.qx - m_cx) + total.byY * (p.qy - m_cy)) * m_perDepth;
+  darkness.value = total.value;
+  darkness.byTwist[0] = -total.byX;
+  darkness.byTwist[1] = -total.byY;
+  darkness.byTwist[2] = bySlope;
+  darkness.byTwist[3] = bySlope * p.qy;
+  darkness.byTwist[4] = -bySlope * p.qx;
+  darkness.byTwist[5] = total.byX * p.qy - total.byY * p.qx;
+  darkness.bySigma = total.bySigma;
+  darkness.byGrowth = total.byGrowth;
+}
+
+void ImageModel::evaluate(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const
+{
+  if (sight == PixelSight::RING || m_borders == 0) {
+    evaluateAs<PixelSight::RING, 0>(block, darkness);
+  }
+  else if (sight == PixelSight::TRACK) {
+    m_borders == 1   ? evaluateAs<PixelSight::TRACK, 1>(block, darkness)
+    : m_borders == 3 ? evaluateAs<PixelSight::TRACK, 3>(block, darkness)
+                     : evaluateAs<PixelSight::TRACK, 5>(block, darkness);
+  }
+  else {
+    m_borders == 1   ? evaluateAs<PixelSight::RING_AND_TRACK, 1>(block, darkness)
+    : m_borders == 3 ? evaluateAs<PixelSight::RING_AND_TRACK, 3>(block, darkness)
+                     : evaluateAs<PixelSight::RING_AND_TRACK, 5>(block, darkness);
+  }
+}
 
 Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern,
                     const BlurParameters &blur)
 {
-  const PlanePoint point = planePoint(pixel, plane);
-  const Polar polar = polarOf(point);
-  Sum total;
-  const SeenEdge outer = seeCircle(polar, pattern.ring[0], blur);
-  if (pattern.ringEdges == 1) {
-    total.add(outer, 1.);
-  }
-  else {
-    total = seeBand(outer, seeCircle(polar, pattern.ring[1], blur));
-  }
-  const double blurOfRadius = reach * blur.sigma * polar.gradient;
-  if (pattern.sectors > 0 && polar.radius < pattern.track[0].radius + blurOfRadius &&
-      polar.radius > pattern.track[1].radius - blurOfRadius) {
-    const SeenEdge rimOutside = seeCircle(polar, pattern.track[0], blur);
-    const SeenEdge rimInside = seeCircle(polar, pattern.track[1], blur);
-    const Sum band = seeBand(rimOutside, rimInside);
-    SectorEdges edges;
-    const Sum code = seeSectors(point, pattern, blur, edges);
-    total.value += band.value * code.value;
-    total.byQ += band.value * code.byQ + code.value * band.byQ;
-    total.bySigma += band.value * code.bySigma + code.value * band.bySigma;
-    total.byGrowth += band.value * code.byGrowth + code.value * band.byGrowth;
-    for (int i = 0; i < edges.count; ++i) {
-      const SeenEdge &edge = edges.edges[static_cast<std::size_t>(i)];
-      total.value += cornerExcess(edge, rimOutside) + cornerExcess(edge, rimInside);
-    }
-  }
+  FitPixel single;
+  single.model = pixel;
+  Photometry photometry;
+  photometry.blur = blur;
+  PixelBlocks blocks;
+  packPixels({single}, plane, pattern, photometry, 0., blocks);
+  const ImageModel model(plane, pattern, blur, blocks);
   Darkness darkness;
-  darkness.value = total.value;
-  darkness.byPose = point.byPose.transpose() * total.byQ;
-  darkness.bySigma = total.bySigma;
-  darkness.byGrowth = total.byGrowth;
-  return darkness;
-}
-
-PatternDistance distanceToPattern(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern)
-{
-  const PlanePoint point = planePoint(pixel, plane);
-  const Polar polar = polarOf(point);
-  PatternDistance distance;
-  distance.radius = polar.radius;
-  distance.radiusPerPixel = polar.gradient;
-  distance.toEdges = HUGE_VAL;
-  for (unsigned int i = 0; i < pattern.ringEdges; ++i) {
-    distance.toEdges = std::min(distance.toEdges, std::abs(pattern.ring[i].radius - polar.radius) / polar.gradient);
-  }
-  if (pattern.sectors == 0) {
-    return distance;
-  }
-  for (const RadialEdge &edge : pattern.track) {
-    distance.toEdges = std::min(distance.toEdges, std::abs(edge.radius - polar.radius) / polar.gradient);
-  }
-  if (polar.radius < pattern.track[0].radius && polar.radius > pattern.track[1].radius) {
-    const double sectorAngle = 2. * M_PI / pattern.sectors;
-    const int nearest = static_cast<int>(std::lround(std::atan2(point.q.y(), point.q.x()) / sectorAngle));
-    for (int border = nearest - 1; border <= nearest + 1; ++border) {
-      if (pattern.isBlack(border) != pattern.isBlack(border - 1)) {
-        const Eigen::Vector2d &across = pattern.acrossBorder(border);
-        distance.toEdges =
-            std::min(distance.toEdges, std::abs(across.dot(point.q)) / (point.byPixel.transpose() * across).norm());
-      }
+  for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+    if (blocks.count[kind] == 0) {
+      continue;
     }
+    DarknessLanes lanes;
+    model.evaluate(blocks.bySight[kind][0], static_cast<PixelSight>(kind), lanes);
+    const Eigen::Vector3d translation(lanes.byTwist[0][0], lanes.byTwist[1][0], lanes.byTwist[2][0]);
+    const Eigen::Vector3d turn(lanes.byTwist[3][0], lanes.byTwist[4][0], lanes.byTwist[5][0]);
+    darkness.value = lanes.value[0];
+    darkness.byPose << plane.rotation * translation / plane.radius, plane.rotation * turn;
+    darkness.bySigma = lanes.bySigma[0];
+    darkness.byGrowth = lanes.byGrowth[0];
   }
-  return distance;
+  return darkness;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -28,60 +28,85 @@
   edges in the image, \f$ \rho \f$, and their joint probability is the tetrachoric series
   \f[ \Phi_2(a, b; \rho) = \Phi(a) \Phi(b) + \varphi(a) \varphi(b) \left(\rho + \frac{\rho^2}{2} a b
       + \frac{\rho^3}{6} (a^2 - 1)(b^2 - 1) + \dots\right). \f]
+
+  A pose changes by a twist \f$ (\upsilon, \omega) \f$ in the marker's own frame, with the outer radius as unit of
+  length: \f$ T \exp(\upsilon, \omega) \f$. The ray through a fixed pixel then meets the plane elsewhere: with the
+  camera's centre c (in that frame, \f$ c_z < 0 \f$) and the ray's slope \f$ s = (q - c_{xy}) / |c_z| \f$,
+  \f[ \dot q = (\upsilon_z + \omega_x q_y - \omega_y q_x) \, s - \upsilon_{xy} + \omega_z (q_y, -q_x)^T. \f]
 */
 
 #ifndef VP_CIRCLE_MARKER_IMAGE_MODEL_H
 #define VP_CIRCLE_MARKER_IMAGE_MODEL_H
 
-#include <Eigen/Core>
-
-#include "pose/marker_plane.h"
-#include "refine/marker_pattern.h"
+#include "refine/pixel_blocks.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! A pixel as the model needs it. */
-struct ModelPixel
+/*! An edge between black and white, as the pixels of a block see it. */
+struct EdgeLanes
 {
-  Eigen::Vector2d meter;         //!< Normalised coordinates of its centre.
-  Eigen::Matrix2d meterPerPixel; //!< Their derivative with respect to the pixel.
+  Lanes standardised; //!< Distance in standard deviations of the blur, positive on the black side.
+  NormalLanes normal; //!< Share of the black side, and its derivative by that distance.
+  Lanes byRadius;     //!< Derivative of the distance by the radius, in the plane.
+  Lanes bySigma;      //!< By the blur, 1 / pixel.
 };
 
-/*! Parameters of the image that are not the pose. */
-struct BlurParameters
+/*! What several edges make together. */
+struct SumLanes
 {
-  double sigma = 0.8; //!< Standard deviation of lens blur and pixel area together, pixels.
-  double growth = 0.; //!< Distance by which every black region is larger than designed, pixels.
+  Lanes value;
+  Lanes byX, byY; //!< By the place in the plane
+  Lanes bySigma;
+  Lanes byGrowth;
+};
+
+/*! Share of black that each pixel of a block sees, and its derivatives. */
+struct DarknessLanes
+{
+  Lanes value;
+  Lanes byTwist[6]; //!< By the twist in the marker's frame: three translations in radii, three turns in rad.
+  Lanes bySigma;    //!< 1 / pixel.
+  Lanes byGrowth;   //!< 1 / pixel.
+};
+
+/*! The model at a pose. */
+class ImageModel
+{
+public:
+  ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
+             const PixelBlocks &blocks);
+
+  /*! Evaluates the model on a block whose pixels see a part of the print. */
+  void evaluate(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const;
+
+private:
+  template <PixelSight sight, int borders> void evaluateAs(const PixelBlock &block, DarknessLanes &darkness) const;
+  void seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner, const Lanes &acrossX,
+                 const Lanes &acrossY, const Lanes &change, SumLanes &code, SumLanes &corners) const;
+
+  PlaneHomography m_homography;
+  float m_cx, m_cy, m_perDepth;   // camera's centre in the marker's frame, in radii; 1 / |c_z|
+  float m_ring[2];                // radii of the ring's edges; a disc's inner one is far below 0
+  float m_track[2];               // radii of the track's rims
+  float m_cosSector, m_sinSector; // of a sector's angle
+  float m_sigma, m_growth;        // blur, pixels
+  int m_borders;                  // seen by a pixel; 0 without a code
+  int m_cornerTerms;              // of the tetrachoric series
 };
 
 /*! Share of black that a pixel sees, and its derivatives. */
 struct Darkness
 {
   double value = 0.;
-  Eigen::Matrix<double, 6, 1> byPose = Eigen::Matrix<double, 6, 1>::Zero(); //!< See below.
-  double bySigma = 0.;                                                      //!< 1 / pixel.
-  double byGrowth = 0.;                                                     //!< 1 / pixel.
+  //! By (t, w): the marker's centre moves by t (metres) and the marker turns about it by w (rad), in the camera frame.
+  Eigen::Matrix<double, 6, 1> byPose = Eigen::Matrix<double, 6, 1>::Zero();
+  double bySigma = 0.;  //!< 1 / pixel.
+  double byGrowth = 0.; //!< 1 / pixel.
 };
 
-/*!
-  Evaluates the model at a pixel.
-
-  The derivative by the pose is with respect to (t, w): the marker's centre moves by t (metres) and the marker turns
-  about its own centre by w (rad), both expressed in the camera frame.
-*/
+/*! Evaluates the model at one pixel. */
 Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern,
                     const BlurParameters &blur);
-
-/*! Where a pixel lies on the pattern. */
-struct PatternDistance
-{
-  double toEdges = 0.;        //!< Distance to the nearest edge, pixels, to first order.
-  double radius = 0.;         //!< Distance to the marker's centre, in units of the outer radius.
-  double radiusPerPixel = 0.; //!< Length of its gradient in the image.
-};
-
-/*! Where a pixel lies on the pattern at a pose. */
-PatternDistance distanceToPattern(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

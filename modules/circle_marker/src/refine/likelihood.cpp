@@ -18,6 +18,7 @@
 #include "refine/likelihood.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -29,70 +30,176 @@ namespace {
 constexpr double tukey = 4.685;
 // Ratio of a normal distribution's standard deviation to its median absolute value.
 constexpr double sigmaOfMedian = 1.4826;
-// The noise is measured on pixels that see less than this share of the surround.
-constexpr double cleanSurround = 0.005;
+// And to its 80 % quantile.
+constexpr double sigmaOfQuantile = 0.7803;
 // A print that stands out by less than this, grey levels, is none; rounding alone never gives as much.
 constexpr double leastContrast = 0.5;
 // Black grows by no more than this, pixels, and is expected to grow by none to this standard deviation.
 constexpr double growthPrior = 0.3;
+// In the first guess of light and contrast, before the noise is known, a pixel with this variance, grey levels^2, from
+// the surround counts half.
+constexpr float guessedVariance = 25.f;
+// Blocks whose sums are taken in single precision before they go to double.
+constexpr std::size_t blocksToFlush = 32;
 
-// Row of the Jacobian of the modelled grey level.
-ParameterVector gradientOf(const FitPixel &pixel, const Photometry &photometry, const Darkness &darkness)
+constexpr int products = parameters * (parameters + 1) / 2;
+
+// Weight and loss of a residual.
+struct LossLanes
 {
-  const double light = photometry.light + photometry.lightGradient.dot(pixel.offset);
-  const double reflectance = 1. - photometry.contrast * darkness.value;
-  const double byDarkness = -light * photometry.contrast;
-  ParameterVector row;
-  row.head<poseSize>() = byDarkness * darkness.byPose;
-  row[lightAt] = reflectance;
-  row.segment<2>(gradientAt) = reflectance * pixel.offset;
-  row[contrastAt] = -light * darkness.value;
-  row[sigmaAt] = byDarkness * darkness.bySigma;
-  row[growthAt] = byDarkness * darkness.byGrowth;
-  return row;
+  Lanes kept;   // share of the pixel that is not taken for an outlier
+  Lanes weight; // with that of the noise in what is uncertain of it
+  Lanes cost;
+};
+
+// Tukey's biweight of residuals with noise and what the surround may add.
+LossLanes biweight(const Lanes &residual, const Lanes &variance, float noise)
+{
+  const float bound = static_cast<float>(tukey * tukey);
+  const Lanes perVariance = (noise * noise + variance).inverse();
+  const Lanes kept = (1.f - residual.square() * perVariance * (1.f / bound)).max(0.f);
+  return {kept.square(), noise * noise * perVariance * kept.square(),
+          noise * noise * bound / 3.f * (1.f - kept.cube())};
 }
 
+// 1 for lanes that hold a pixel, else 0.
+Lanes holdsPixel(const PixelBlock &block)
+{
+  return (1e-3f * (noPixel - block.variance)).min(1.f);
+}
+
+// Sums of one pass, in lanes and then in double precision.
+class Sums
+{
+public:
+  Sums()
+  {
+    m_total.fill(0.);
+    clear();
+  }
+
+  void add(const std::array<Lanes, parameters> &row, const Lanes &residual, const LossLanes &loss)
+  {
+    int k = 0;
+    for (int i = 0; i < parameters; ++i) {
+      const Lanes weighted = loss.weight * row[static_cast<std::size_t>(i)];
+      for (int j = 0; j <= i; ++j) {
+        m_lanes[static_cast<std::size_t>(k++)] += weighted * row[static_cast<std::size_t>(j)];
+      }
+      m_lanes[static_cast<std::size_t>(products + i)] += weighted * residual;
+    }
+    m_lanes[costAt] += loss.cost;
+    m_lanes[squaresAt] += loss.weight * residual.square();
+    m_lanes[keptAt] += loss.kept;
+    if (++m_blocks == blocksToFlush) {
+      flush();
+    }
+  }
+
+  Equations equations()
+  {
+    flush();
+    Equations result;
+    int k = 0;
+    for (int i = 0; i < parameters; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        result.matrix(i, j) = m_total[static_cast<std::size_t>(k++)];
+        result.matrix(j, i) = result.matrix(i, j);
+      }
+      result.right[i] = m_total[static_cast<std::size_t>(products + i)];
+    }
+    result.cost = m_total[costAt];
+    result.squares = m_total[squaresAt];
+    result.kept = m_total[keptAt];
+    return result;
+  }
+
+private:
+  static constexpr std::size_t costAt = products + parameters;
+  static constexpr std::size_t squaresAt = costAt + 1;
+  static constexpr std::size_t keptAt = costAt + 2;
+  static constexpr std::size_t size = costAt + 3;
+
+  void clear()
+  {
+    for (Lanes &lanes : m_lanes) {
+      lanes.setZero();
+    }
+    m_blocks = 0;
+  }
+
+  void flush()
+  {
+    for (std::size_t k = 0; k < size; ++k) {
+      m_total[k] += static_cast<double>(m_lanes[k].sum());
+    }
+    clear();
+  }
+
+  std::array<Lanes, size> m_lanes;
+  std::array<double, size> m_total;
+  std::size_t m_blocks = 0;
+};
+
+// Calls use(block, sight) for all blocks, in their order.
+template <class Use> void forEachBlock(const PixelBlocks &blocks, const Use &use)
+{
+  for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+    for (const PixelBlock &block : blocks.bySight[kind]) {
+      use(block, static_cast<PixelSight>(kind));
+    }
+  }
+}
+
+// The grey levels of a block as the model has them.
+struct GreyLanes
+{
+  Lanes light;
+  Lanes reflectance;
+  Lanes residual;
+};
+
+GreyLanes greyOf(const PixelBlock &block, const Photometry &photometry, const Lanes &darkness)
+{
+  GreyLanes grey;
+  grey.light = static_cast<float>(photometry.light) + static_cast<float>(photometry.lightGradient.x()) * block.offsetU +
+               static_cast<float>(photometry.lightGradient.y()) * block.offsetV;
+  grey.reflectance = 1.f - static_cast<float>(photometry.contrast) * darkness;
+  grey.residual = block.grey - grey.light * grey.reflectance - block.surround * (block.beyond - grey.light);
+  return grey;
+}
 } // namespace
 
-double residualOf(const FitPixel &pixel, const Photometry &photometry, double darkness)
+Likelihood::Likelihood(const MarkerPattern &pattern, const FitSettings &settings, FitMemory &memory)
+    : m_pattern(pattern), m_settings(settings), m_memory(memory)
 {
-  const double light = photometry.light + photometry.lightGradient.dot(pixel.offset);
-  return pixel.grey - light * (1. - photometry.contrast * darkness);
 }
 
-double shareOfKnown(const FitPixel &pixel, const Photometry &photometry, double noise)
+void Likelihood::setPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const Photometry &photometry,
+                           double noise)
 {
-  const double surround = 0.5 * photometry.light * pixel.surround;
-  return noise * noise / (noise * noise + surround * surround);
-}
-
-Loss biweight(double residual, double noise)
-{
-  const double bound = tukey * noise;
-  const double u = residual / bound;
-  if (std::abs(u) >= 1.) {
-    return {bound * bound / 3., 0.};
-  }
-  const double kept = 1. - u * u;
-  return {bound * bound / 3. * (1. - kept * kept * kept), kept * kept};
-}
-
-Likelihood::Likelihood(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, const FitSettings &settings)
-    : m_pixels(pixels), m_pattern(pattern), m_settings(settings)
-{
+  packPixels(pixels, plane, m_pattern, photometry, noise, m_memory.blocks);
 }
 
 bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometry) const
 {
+  const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
-  for (std::size_t i = 0; i < m_pixels.size(); ++i) {
-    const FitPixel &pixel = m_pixels[i];
-    const double darkness = darknessAt(pixel.model, plane, m_pattern, photometry.blur).value;
-    const Eigen::Vector4d row(1., pixel.offset.x(), pixel.offset.y(), -darkness);
-    matrix.noalias() += row * row.transpose();
-    right += pixel.grey * row;
-  }
+  DarknessLanes darkness;
+  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
+    model.evaluate(block, sight, darkness);
+    const Lanes weight = guessedVariance / (guessedVariance + block.variance);
+    const Lanes paper = 1.f - block.surround;
+    const std::array<Lanes, 4> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness.value};
+    for (int i = 0; i < 4; ++i) {
+      const Lanes weighted = weight * row[static_cast<std::size_t>(i)];
+      for (int j = 0; j < 4; ++j) {
+        matrix(i, j) += static_cast<double>((weighted * row[static_cast<std::size_t>(j)]).sum());
+      }
+      right[i] += static_cast<double>((weighted * (block.grey - block.surround * block.beyond)).sum());
+    }
+  });
   const Eigen::Vector4d solution = matrix.ldlt().solve(right);
   if (!solution.allFinite() || solution[0] <= 0. || solution[3] < leastContrast) {
     return false;
@@ -105,95 +212,107 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
 
 Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &photometry, double noise)
 {
-  Equations equations;
-  m_trial.clear();
-  for (std::size_t i = 0; i < m_pixels.size(); ++i) {
-    const FitPixel &pixel = m_pixels[i];
-    const Darkness darkness = darknessAt(pixel.model, plane, m_pattern, photometry.blur);
-    const double residual = residualOf(pixel, photometry, darkness.value);
-    m_trial.push_back(residual);
-    const Loss loss = biweight(residual, noise);
-    const double known = shareOfKnown(pixel, photometry, noise);
-    equations.cost += known * loss.cost;
-    const double weight = known * loss.weight;
-    equations.weight += weight;
-    equations.squares += weight * residual * residual;
-    if (weight > 0.) {
-      const ParameterVector row = gradientOf(pixel, photometry, darkness);
-      for (int column = 0; column < parameters; ++column) {
-        const double factor = weight * row[column];
-        for (int line = column; line < parameters; ++line) {
-          equations.matrix(line, column) += factor * row[line];
-        }
-        equations.right[column] += factor * residual;
-      }
+  const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
+  Sums sums;
+  m_memory.trial.clear();
+  DarknessLanes darkness;
+  std::array<Lanes, parameters> row;
+  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
+    model.evaluate(block, sight, darkness);
+    const GreyLanes grey = greyOf(block, photometry, darkness.value);
+    m_memory.trial.push_back(grey.residual);
+    LossLanes loss = biweight(grey.residual, block.variance, static_cast<float>(noise));
+    const Lanes holds = holdsPixel(block);
+    loss.cost *= holds;
+    loss.kept *= holds;
+    const Lanes byDarkness = -static_cast<float>(photometry.contrast) * grey.light;
+    for (std::size_t k = 0; k < poseSize; ++k) {
+      row[k] = byDarkness * darkness.byTwist[k];
     }
-  }
-  equations.matrix = equations.matrix.selfadjointView<Eigen::Lower>();
-  constrain(plane, photometry, noise, equations);
+    const Lanes byLight = grey.reflectance - block.surround;
+    row[lightAt] = byLight;
+    row[gradientAt] = byLight * block.offsetU;
+    row[gradientAt + 1] = byLight * block.offsetV;
+    row[contrastAt] = -grey.light * darkness.value;
+    row[sigmaAt] = byDarkness * darkness.bySigma;
+    row[growthAt] = byDarkness * darkness.byGrowth;
+    sums.add(row, grey.residual, loss);
+  });
+  Equations equations = sums.equations();
+  constrain(photometry, noise, equations);
   return equations;
 }
 
-double Likelihood::noiseAt(const MarkerPlane &plane, const Photometry &photometry)
+void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry)
 {
-  m_residuals.clear();
-  for (std::size_t i = 0; i < m_pixels.size(); ++i) {
-    const double darkness = darknessAt(m_pixels[i].model, plane, m_pattern, photometry.blur).value;
-    m_residuals.push_back(residualOf(m_pixels[i], photometry, darkness));
-  }
-  return noiseOfResiduals();
+  const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
+  m_memory.residuals.clear();
+  DarknessLanes darkness;
+  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
+    model.evaluate(block, sight, darkness);
+    m_memory.residuals.push_back(greyOf(block, photometry, darkness.value).residual);
+  });
 }
 
-double Likelihood::noiseOfResiduals()
+ResidualSpread Likelihood::spreadOfResiduals()
 {
-  m_absolute.clear();
-  for (std::size_t k = 0; k < m_residuals.size(); ++k) {
-    if (m_pixels[k].surround < cleanSurround) {
-      m_absolute.push_back(std::abs(m_residuals[k]));
+  std::vector<float> &absolute = m_memory.absolute;
+  absolute.clear();
+  std::size_t k = 0;
+  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
+    const Lanes &residual = m_memory.residuals[k++];
+    for (int lane = 0; lane < laneCount; ++lane) {
+      if (block.variance[lane] < static_cast<float>(quantisation * quantisation)) {
+        absolute.push_back(std::abs(residual[lane]));
+      }
     }
+  });
+  if (absolute.empty()) {
+    return {HUGE_VAL, HUGE_VAL};
   }
-  if (m_absolute.empty()) {
-    return HUGE_VAL;
-  }
-  const auto middle = m_absolute.begin() + static_cast<std::ptrdiff_t>(m_absolute.size() / 2);
-  std::nth_element(m_absolute.begin(), middle, m_absolute.end());
-  return std::max(sigmaOfMedian * *middle, quantisation);
+  const auto quantile = [&absolute](double share) {
+    const auto place = absolute.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(absolute.size()));
+    std::nth_element(absolute.begin(), place, absolute.end());
+    return static_cast<double>(*place);
+  };
+  return {std::max(quantile(0.5) * sigmaOfMedian, quantisation),
+          std::max(quantile(0.8) * sigmaOfQuantile, quantisation)};
 }
 
 double Likelihood::costOfResiduals(const Photometry &photometry, double noise) const
 {
   double cost = priorCost(photometry, noise);
-  for (std::size_t k = 0; k < m_residuals.size(); ++k) {
-    cost += shareOfKnown(m_pixels[k], photometry, noise) * biweight(m_residuals[k], noise).cost;
-  }
+  std::size_t k = 0;
+  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
+    const LossLanes loss = biweight(m_memory.residuals[k++], block.variance, static_cast<float>(noise));
+    cost += static_cast<double>((loss.cost * holdsPixel(block)).sum());
+  });
   return cost;
 }
 
-double Likelihood::correlation(const Photometry &photometry, double noise) const
+Explanation Likelihood::explain(double noise) const
 {
-  double n = 0., x = 0., y = 0., xx = 0., xy = 0., yy = 0.;
-  for (std::size_t k = 0; k < m_residuals.size(); ++k) {
-    const FitPixel &pixel = m_pixels[k];
-    const double model = pixel.grey - m_residuals[k];
-    const double w = biweight(m_residuals[k], noise).weight * shareOfKnown(pixel, photometry, noise);
-    n += w;
-    x += w * model;
-    y += w * pixel.grey;
-    xx += w * model * model;
-    xy += w * model * pixel.grey;
-    yy += w * pixel.grey * pixel.grey;
-  }
+  double n = 0., x = 0., y = 0., xx = 0., xy = 0., yy = 0., inliers = 0.;
+  std::size_t k = 0;
+  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
+    const Lanes &residual = m_memory.residuals[k++];
+    const LossLanes loss = biweight(residual, block.variance, static_cast<float>(noise));
+    const Lanes &w = loss.weight;
+    const Lanes model = block.grey - residual;
+    const Lanes wx = w * model;
+    const Lanes wy = w * block.grey;
+    n += static_cast<double>(w.sum());
+    x += static_cast<double>(wx.sum());
+    y += static_cast<double>(wy.sum());
+    xx += static_cast<double>((wx * model).sum());
+    xy += static_cast<double>((wx * block.grey).sum());
+    yy += static_cast<double>((wy * block.grey).sum());
+    inliers += static_cast<double>((loss.kept * holdsPixel(block)).sum());
+  });
+  const auto pixels =
+      static_cast<double>(m_memory.blocks.count[0] + m_memory.blocks.count[1] + m_memory.blocks.count[2]);
   const double denominator = std::sqrt((n * xx - x * x) * (n * yy - y * y));
-  return denominator > 0. ? (n * xy - x * y) / denominator : 0.;
-}
-
-double Likelihood::inliers(double noise) const
-{
-  double sum = 0.;
-  for (const double residual : m_residuals) {
-    sum += biweight(residual, noise).weight;
-  }
-  return sum / static_cast<double>(m_residuals.size());
+  return {denominator > 0. ? (n * xy - x * y) / denominator : 0., inliers / std::max(pixels, 1.)};
 }
 
 double Likelihood::priorCost(const Photometry &photometry, double noise) const
@@ -202,11 +321,16 @@ double Likelihood::priorCost(const Photometry &photometry, double noise) const
   return m_settings.growth ? noise * noise * u * u : 0.;
 }
 
-// Prior on the growth of black; parameters that are not fitted are taken out of the equations, and a 1 (or for the
-// spin, something of the other angles' size) on the diagonal keeps them solvable.
-void Likelihood::constrain(const MarkerPlane &plane, const Photometry &photometry, double noise,
-                           Equations &equations) const
+// Prior on the growth of black; parameters that are not fitted are taken out of the equations, and a 1 on the diagonal
+// keeps these solvable.
+void Likelihood::constrain(const Photometry &photometry, double noise, Equations &equations) const
 {
+  const auto hold = [&equations](int at) {
+    equations.matrix.row(at).setZero();
+    equations.matrix.col(at).setZero();
+    equations.matrix(at, at) = 1.;
+    equations.right[at] = 0.;
+  };
   if (m_settings.growth) {
     const double weight = noise * noise / (growthPrior * growthPrior);
     equations.matrix(growthAt, growthAt) += weight;
@@ -214,19 +338,10 @@ void Likelihood::constrain(const MarkerPlane &plane, const Photometry &photometr
     equations.cost += priorCost(photometry, noise);
   }
   else {
-    equations.matrix.row(growthAt).setZero();
-    equations.matrix.col(growthAt).setZero();
-    equations.matrix(growthAt, growthAt) = 1.;
-    equations.right[growthAt] = 0.;
+    hold(growthAt);
   }
   if (!m_settings.spinIsKnown) {
-    const Eigen::Vector3d normal = plane.rotation.col(2);
-    const Eigen::Matrix3d withoutSpin = Eigen::Matrix3d::Identity() - normal * normal.transpose();
-    const double size = equations.matrix.block<3, 3>(3, 3).trace() + 1.;
-    equations.matrix.middleRows<3>(3) = (withoutSpin * equations.matrix.middleRows<3>(3)).eval();
-    equations.matrix.middleCols<3>(3) = (equations.matrix.middleCols<3>(3) * withoutSpin).eval();
-    equations.matrix.block<3, 3>(3, 3) += size * normal * normal.transpose();
-    equations.right.segment<3>(3) = (withoutSpin * equations.right.segment<3>(3)).eval();
+    hold(spinAt);
   }
 }
 } // namespace circle_marker

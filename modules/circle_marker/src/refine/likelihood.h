@@ -15,17 +15,29 @@
  * Likelihood of the grey levels around a marker, and its normal equations.
  */
 
+/*!
+  \file likelihood.h
+  \brief Likelihood of the grey levels around a marker, and its normal equations.
+
+  A pixel's deviation from the model is noise of standard deviation s and, near the end of the quiet zone, what the
+  surround may change (PixelBlock::variance). Deviations are weighed by Tukey's biweight, so that what covers the marker
+  counts nothing.
+*/
+
 #ifndef VP_CIRCLE_MARKER_LIKELIHOOD_H
 #define VP_CIRCLE_MARKER_LIKELIHOOD_H
 
 #include <vector>
 
+#include "refine/image_model.h"
 #include "refine/maximum_likelihood.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-// Places of the parameters in vectors and matrices: pose (t, w), light and its gradient, contrast, blur, growth.
+// Places of the parameters in vectors and matrices: twist of the pose (image_model.h), light and its gradient,
+// contrast, blur, growth.
 constexpr int poseSize = 6;
+constexpr int spinAt = 5;
 constexpr int lightAt = 6;
 constexpr int gradientAt = 7;
 constexpr int contrastAt = 9;
@@ -45,33 +57,32 @@ struct Equations
   ParameterVector right = ParameterVector::Zero();
   double cost = 0.;    //!< Robust sum of squares, grey levels^2.
   double squares = 0.; //!< Weighted sum of squared residuals, grey levels^2.
-  double weight = 0.;  //!< Sum of the weights.
+  double kept = 0.;    //!< Number of pixels, each as far as it is not taken for an outlier.
 };
 
-/*! Measured less modelled grey level of a pixel. */
-double residualOf(const FitPixel &pixel, const Photometry &photometry, double darkness);
-
-/*!
-  Share of a pixel's information that the unknown surround leaves: what lies beyond the quiet zone differs from white by
-  up to half the light, in either direction.
-*/
-double shareOfKnown(const FitPixel &pixel, const Photometry &photometry, double noise);
-
-/*! Tukey's biweight loss of a residual, and the weight with which it enters the normal equations. */
-struct Loss
+/*! Standard deviations that normal noise with the same quantiles would have, grey levels. */
+struct ResidualSpread
 {
-  double cost;
-  double weight;
+  double median = 0.; //!< Of the median: right when the fit is, even with half of the marker covered.
+  double wide = 0.;   //!< Of the 80 % quantile: before the fit is right the edges' large residuals show in this one.
 };
 
-/*! Tukey's biweight at 4.685 standard deviations (95 % efficiency with normal noise). */
-Loss biweight(double residual, double noise);
+/*! How well a model explains the image. */
+struct Explanation
+{
+  double correlation = 0.; //!< Between model and image, each pixel with its weight, in [-1, 1].
+  double inliers = 0.;     //!< Share of the pixels that the model explains, in [0, 1].
+};
 
 /*! The robust likelihood of the pixels of a marker as a function of pose, light, contrast and blur. */
 class Likelihood
 {
 public:
-  Likelihood(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, const FitSettings &settings);
+  Likelihood(const MarkerPattern &pattern, const FitSettings &settings, FitMemory &memory);
+
+  /*! Takes the pixels to be explained; plane, photometry and noise are known roughly (noise 0: not at all). */
+  void setPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const Photometry &photometry,
+                 double noise);
 
   /*! Light and contrast that explain the image best at a pose, by linear least squares; false if there is no print. */
   bool startPhotometry(const MarkerPlane &plane, Photometry &photometry) const;
@@ -80,33 +91,27 @@ public:
   Equations linearise(const MarkerPlane &plane, const Photometry &photometry, double noise);
 
   /*! The residuals of the last pass are those of the present parameters. */
-  void keepResiduals() { m_residuals.swap(m_trial); }
+  void keepResiduals() { m_memory.residuals.swap(m_memory.trial); }
 
-  /*! Noise at the start, where nothing is known of it, grey levels. */
-  double noiseAt(const MarkerPlane &plane, const Photometry &photometry);
+  /*! The residuals at a pose, without equations. */
+  void evaluate(const MarkerPlane &plane, const Photometry &photometry);
 
-  /*! Noise from the median of the residuals kept that see no surround, grey levels. */
-  double noiseOfResiduals();
+  /*! Spread of the residuals kept that see no surround; HUGE_VAL if there are none. */
+  ResidualSpread spreadOfResiduals();
 
-  /*! Cost of the residuals kept at another noise. */
+  /*! Cost of the residuals kept at a noise. */
   double costOfResiduals(const Photometry &photometry, double noise) const;
 
-  /*! Correlation between model and image over the pixels, each with its weight. */
-  double correlation(const Photometry &photometry, double noise) const;
-
-  /*! Share of the pixels that the model explains. */
-  double inliers(double noise) const;
+  /*! How well the residuals kept leave the image explained. */
+  Explanation explain(double noise) const;
 
 private:
   double priorCost(const Photometry &photometry, double noise) const;
-  void constrain(const MarkerPlane &plane, const Photometry &photometry, double noise, Equations &equations) const;
+  void constrain(const Photometry &photometry, double noise, Equations &equations) const;
 
-  const std::vector<FitPixel> &m_pixels; //!< What is explained.
-  const MarkerPattern &m_pattern;        //!< By this print.
-  FitSettings m_settings;                //!< What is fitted.
-  std::vector<double> m_residuals;       //!< Of the present parameters, grey levels.
-  std::vector<double> m_trial;           //!< Of the last pass.
-  std::vector<double> m_absolute;        //!< Working memory of the median.
+  const MarkerPattern &m_pattern; //!< The print that explains the pixels.
+  FitSettings m_settings;         //!< What is fitted.
+  FitMemory &m_memory;            //!< The pixels and their residuals.
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

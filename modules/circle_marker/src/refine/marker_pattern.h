@@ -50,6 +50,12 @@ struct MarkerPattern
 
   const Eigen::Vector2d &acrossBorder(int sector) const { return across[wrap(sector)]; }
 
+  //! The border, of those before sector 0, 1, ..., that is nearest in angle to a point of the plane.
+  int nearestBorder(const Eigen::Vector2d &q) const
+  {
+    return static_cast<int>(std::lround(std::atan2(q.y(), q.x()) * sectors / (2. * M_PI)));
+  }
+
   unsigned int wrap(int sector) const
   {
     const int n = static_cast<int>(sectors);

@@ -31,19 +31,38 @@ namespace {
 constexpr double leastSigma = 0.29;
 constexpr double mostSigma = 20.;
 // The noise is estimated again after each of the first steps; later ones keep it, so that they have one cost to lower.
-constexpr int noiseUpdates = 5;
+constexpr int mostNoiseUpdates = 5;
 // Below this damping a step is as long as the equations want it: only then a short one means convergence.
 constexpr double freeDamping = 0.1;
+// The damping of the first step after one that failed. The steps are not damped otherwise: in the marker's frame the
+// depth is a difference of well known things, and the least damping of these holds it back.
+constexpr double leastDamping = 1e-3;
 // Beyond this damping no step lowers the cost: the fit is at its minimum, to rounding.
 constexpr double mostDamping = 1e6;
+// Decrease of that excess from step to step, and where it ends.
+constexpr double excessDecay = 0.5;
+constexpr double leastExcess = 0.3;
+// Relative error of a cost, summed up in single precision.
+constexpr double rounding = 1e-6;
+// Reweighting alone makes a step too short: the biweight's slope, E[psi'] = 0.762, is less than its mean weight, 0.915.
+constexpr double biweightStep = 0.915 / 0.762;
+// What a step leaves of the way: by the chance of the weights this share, and by the bend of the edges' profiles as
+// much as it moves them, in units of their blur.
+constexpr double stepError = 0.2;
+// The pixels are sorted again by what they see when the pose has moved by this much, pixels: half of what the sorting
+// leaves room for.
+constexpr double sortAgain = 0.5;
+// And the surround is judged again when the light has changed by this share of it: white paper beyond the quiet zone
+// would be taken for something else.
+constexpr double judgeAgain = 0.005;
 
 void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &photometry)
 {
-  plane.center += step.head<3>();
+  plane.center += plane.radius * (plane.rotation * step.head<3>());
   const Eigen::Vector3d turn = step.segment<3>(3);
   const double angle = turn.norm();
   if (angle > 0.) {
-    plane.rotation = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * plane.rotation;
+    plane.rotation = plane.rotation * Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
   }
   photometry.light += step[lightAt];
   photometry.lightGradient += step.segment<2>(gradientAt);
@@ -58,9 +77,12 @@ double noiseOfSquares(const Equations &equations)
   // Of normal noise the biweight keeps this share of the mean square at its constant c:
   // (1 - 6 / c^2 + 15 / c^4) / (1 - 2 / c^2 + 3 / c^4).
   constexpr double biweightShrinkage = 0.828;
-  const double freedom = std::max(equations.weight - parameters, 1.);
+  const double freedom = std::max(equations.kept - parameters, 1.);
   return std::max(std::sqrt(equations.squares / freedom / biweightShrinkage), quantisation);
 }
+
+// The biweight's mean is 0.915 with normal noise, and the equations' information with it; its efficiency is 0.95.
+constexpr double biweightCovariance = 0.915 / 0.95;
 
 // Whether the marker faces the camera and lies in front of it.
 bool isVisible(const MarkerPlane &plane)
@@ -68,85 +90,132 @@ bool isVisible(const MarkerPlane &plane)
   return plane.center.z() > plane.radius * 0.1 && plane.rotation.col(2).dot(plane.center) > 0.;
 }
 
+// Covariance of (t, w) in the camera frame from that of the twist in the marker's.
+Eigen::Matrix<double, 6, 6> inCameraFrame(const Eigen::Matrix<double, 6, 6> &covariance, const MarkerPlane &plane)
+{
+  Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Zero();
+  change.topLeftCorner<3, 3>() = plane.radius * plane.rotation;
+  change.bottomRightCorner<3, 3>() = plane.rotation;
+  return change * covariance * change.transpose();
+}
 } // namespace
 
 std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const FitStart &start,
-                                  const MarkerPattern &pattern, const FitSettings &settings)
+                                  const MarkerPattern &pattern, const FitSettings &settings, FitMemory &memory)
 {
   if (pixels.size() < 2 * parameters) {
     return std::nullopt;
   }
-  Likelihood fit(pixels, pattern, settings);
+  Likelihood fit(pattern, settings, memory);
   FittedPose result;
   result.plane = start.plane;
   if (start.photometry) {
     result.photometry = *start.photometry;
   }
-  else if (!fit.startPhotometry(result.plane, result.photometry)) {
+  else {
+    fit.setPixels(pixels, result.plane, result.photometry, 0.);
+    if (!fit.startPhotometry(result.plane, result.photometry)) {
+      return std::nullopt;
+    }
+  }
+  fit.setPixels(pixels, result.plane, result.photometry, start.noise.value_or(0.));
+  MarkerPlane sortedAt = result.plane;
+  double sortedLight = result.photometry.light;
+  double noise = 0.;
+  if (start.noise) {
+    noise = *start.noise;
+  }
+  else {
+    fit.evaluate(result.plane, result.photometry);
+    noise = fit.spreadOfResiduals().wide;
+  }
+  if (!std::isfinite(noise)) {
     return std::nullopt;
   }
-  double noise = start.noise ? *start.noise : fit.noiseAt(result.plane, result.photometry);
   Equations equations = fit.linearise(result.plane, result.photometry, noise);
   fit.keepResiduals();
-  double damping = 1e-3;
-  int accepted = 0;
+  double damping = 0.;
+  // The noise comes down from what the edges' residuals are at the start to that of a right fit, so that they are not
+  // taken for outliers while they are needed.
+  double excess = start.noise ? 0. : 1.;
+  int noiseUpdates = start.noise ? 0 : mostNoiseUpdates;
   for (int iteration = 0; iteration < settings.mostIterations; ++iteration) {
     ParameterMatrix damped = equations.matrix;
     damped.diagonal() *= 1. + damping;
-    const ParameterVector step = damped.ldlt().solve(equations.right);
+    ParameterVector step = damped.ldlt().solve(equations.right);
     if (!step.allFinite()) {
       return std::nullopt;
     }
-    const double size = step.dot(equations.matrix * step) / (noise * noise);
-    if (damping < freeDamping && size < settings.convergence * settings.convergence) {
-      applyStep(step, result.plane, result.photometry);
-      break;
-    }
+    const double size = std::sqrt(step.dot(equations.matrix * step)) / noise;
+    step *= biweightStep;
     MarkerPlane plane = result.plane;
     Photometry photometry = result.photometry;
     applyStep(step, plane, photometry);
+    const double bend = outlineMotion(result.plane, plane) / (memory.blocks.reference.unit * photometry.blur.sigma);
+    const bool isStale = outlineMotion(sortedAt, plane) > sortAgain * memory.blocks.reference.unit ||
+                         std::abs(photometry.light - sortedLight) > judgeAgain * sortedLight;
+    if (!isStale && excess == 0. && damping < freeDamping && size * (stepError + bend) < settings.convergence) {
+      result.plane = plane;
+      result.photometry = photometry;
+      break;
+    }
     if (isVisible(plane) && photometry.light > 0.) {
-      const Equations trial = fit.linearise(plane, photometry, noise);
-      if (trial.cost <= equations.cost) {
+      Equations trial = fit.linearise(plane, photometry, noise);
+      if (trial.cost <= equations.cost * (1. + rounding)) {
         result.plane = plane;
         result.photometry = photometry;
+        damping = damping > leastDamping ? 0.1 * damping : 0.;
+        if (isStale) {
+          fit.setPixels(pixels, plane, photometry, noise);
+          sortedAt = plane;
+          sortedLight = photometry.light;
+          trial = fit.linearise(plane, photometry, noise);
+        }
         equations = trial;
         fit.keepResiduals();
-        damping *= 0.1;
-        if (++accepted <= noiseUpdates) {
-          noise = fit.noiseOfResiduals();
+        if (noiseUpdates > 0) {
+          --noiseUpdates;
+          excess = excess > leastExcess ? excess * excessDecay : 0.;
+          const ResidualSpread spread = fit.spreadOfResiduals();
+          noise = std::max(spread.median, excess * spread.wide);
           equations.cost = fit.costOfResiduals(photometry, noise);
         }
         continue;
       }
     }
-    damping = std::max(damping * 10., 1e-4);
+    damping = std::max(damping * 10., leastDamping);
     if (damping > mostDamping) {
       break;
     }
   }
   result.squares = equations.cost;
   result.noise = noiseOfSquares(equations);
-  result.inliers = fit.inliers(noise);
-  result.correlation = fit.correlation(result.photometry, noise);
+  const Explanation explanation = fit.explain(noise);
+  result.inliers = explanation.inliers;
+  result.correlation = explanation.correlation;
   const ParameterMatrix inverse = equations.matrix.ldlt().solve(ParameterMatrix::Identity());
   if (!inverse.allFinite()) {
     return std::nullopt;
   }
-  result.covariance = result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
+  Eigen::Matrix<double, 6, 6> covariance =
+      biweightCovariance * result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
+  if (!settings.spinIsKnown) {
+    covariance.row(spinAt).setZero();
+    covariance.col(spinAt).setZero();
+  }
+  result.covariance = inCameraFrame(covariance, result.plane);
   return result;
 }
 
 double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
-                     double noise)
+                     const Photometry &surround, double noise, FitMemory &memory)
 {
-  double squares = 0.;
-  for (const FitPixel &pixel : pixels) {
-    const double darkness = darknessAt(pixel.model, fit.plane, pattern, fit.photometry.blur).value;
-    squares +=
-        shareOfKnown(pixel, fit.photometry, noise) * biweight(residualOf(pixel, fit.photometry, darkness), noise).cost;
-  }
-  return squares;
+  FitSettings settings;
+  settings.growth = false;
+  Likelihood likelihood(pattern, settings, memory);
+  likelihood.setPixels(pixels, fit.plane, surround, noise);
+  likelihood.evaluate(fit.plane, fit.photometry);
+  return likelihood.costOfResiduals(fit.photometry, noise);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

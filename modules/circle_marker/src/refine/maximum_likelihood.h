@@ -36,17 +36,17 @@
 
 #include <Eigen/Core>
 
-#include "refine/fit_pixels.h"
+#include "refine/pixel_blocks.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Light, contrast and blur of a marker's image. */
-struct Photometry
+/*! Working memory of fits, used again from one to the next. */
+struct FitMemory
 {
-  double light = 200.;                                     //!< Grey level of white paper at the marker's centre.
-  Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero(); //!< Its change over the marker's size, grey levels.
-  double contrast = 0.8;                                   //!< 1 - black / white.
-  BlurParameters blur;
+  PixelBlocks blocks;           //!< The pixels.
+  std::vector<Lanes> residuals; //!< Of the present parameters, block by block, grey levels.
+  std::vector<Lanes> trial;     //!< Of the last pass.
+  std::vector<float> absolute;  //!< For the median.
 };
 
 /*! A fitted pose. */
@@ -58,7 +58,7 @@ struct FittedPose
   double noise = 0.;                      //!< Standard deviation of the residuals that count, grey levels.
   double inliers = 0.;                    //!< Share of the pixels that count, in [0, 1].
   double correlation = 0.;                //!< Between model and image, in [-1, 1].
-  Eigen::Matrix<double, 6, 6> covariance; //!< Of (t, w) as in image_model.h.
+  Eigen::Matrix<double, 6, 6> covariance; //!< Of (t, w): see Darkness::byPose.
 };
 
 /*! What is fitted. */
@@ -67,8 +67,8 @@ struct FitSettings
   bool spinIsKnown = true; //!< Whether the code fixes the spin: else it stays as it is.
   bool growth = true;      //!< Whether black may be larger than designed.
   int mostIterations = 25; //!< Levenberg-Marquardt steps; 0 only evaluates the start.
-  //! The step is the last that moves no parameter by more than this share of its standard deviation.
-  double convergence = 0.1;
+  //! A step is the last when what it leaves of the way is expected to be less than this share of a standard deviation.
+  double convergence = 0.15;
 };
 
 /*! Where a fit starts. */
@@ -80,15 +80,22 @@ struct FitStart
 };
 
 /*!
-  Refines a pose; nothing if the start explains nothing of the image or the
-  equations are singular.
+  Refines a pose; nothing if the start explains nothing of the image or the equations are singular.
+  \param pixels : What is to be explained.
+  \param start : Where to start.
+  \param pattern : The print.
+  \param settings : What is fitted, and how closely.
+  \param memory : Working memory.
 */
 std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const FitStart &start,
-                                  const MarkerPattern &pattern, const FitSettings &settings);
+                                  const MarkerPattern &pattern, const FitSettings &settings, FitMemory &memory);
 
-/*! Sum of squared residuals with Tukey's biweight at a given noise, so that two fits can be compared. */
+/*!
+  Robust sum of squared residuals at a given noise, so that two fits can be compared.
+  \param surround : Photometry by which the surround is judged: the same for all fits.
+*/
 double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
-                     double noise);
+                     const Photometry &surround, double noise, FitMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

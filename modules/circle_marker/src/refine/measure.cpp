@@ -18,10 +18,13 @@
 #include "refine/measure.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+
+#include "refine/few_pixels.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -42,13 +45,11 @@ constexpr double samePose = 0.3;
 constexpr double commonBlur = 0.8;
 constexpr double leastBlur = 0.6;
 constexpr double mostBlur = 6.;
-// Pixels of the coarse fit: 30 for each of its 12 parameters make a good start for the fine one. The fine fit's 3000
-// measure a marker of 200 pixels diameter to a thousandth of a pixel: what is left then is systematic.
-constexpr double fewPixels = 400.;
-constexpr double manyPixels = 3000.;
+// All pixels are used up to a marker of some 500 pixels diameter: every pixel that is left out is information lost.
+constexpr double manyPixels = 20000.;
 // Last step of the coarse fit, in standard deviations, and its steps at most: a pose that fits badly creeps.
 constexpr double coarseConvergence = 0.5;
-constexpr int coarseIterations = 10;
+constexpr int coarseIterations = 6;
 // Error with which the closed form knows the axes of the outline, pixels.
 constexpr double outlineError = 0.1;
 // A pose whose log-odds against are beyond this on the coarse pixels is not refined any further.
@@ -109,83 +110,83 @@ void keepTwo(std::vector<FittedPose> &ranked)
 
 // Fits every start on the pixels; those that lead nowhere are left out.
 std::vector<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const std::vector<FitStart> &starts,
-                               const MarkerPattern &pattern, const FitSettings &settings)
+                               const MarkerPattern &pattern, const FitSettings &settings, FitMemory &memory)
 {
   std::vector<FittedPose> fits;
   for (const FitStart &start : starts) {
-    if (const auto fit = fitPose(pixels, start, pattern, settings)) {
+    if (const auto fit = fitPose(pixels, start, pattern, settings, memory)) {
       fits.push_back(*fit);
     }
   }
   return fits;
 }
 
-// Puts the fit that explains the pixels best first; all are judged by the noise of the best.
-double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, std::vector<FittedPose> &fits)
+// Puts the fit that explains the pixels best first; all are judged by the noise of the best. Returns that noise.
+double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, std::vector<FittedPose> &fits,
+            FitMemory &memory)
 {
-  double noise = HUGE_VAL;
-  for (const FittedPose &fit : fits) {
-    noise = std::min(noise, fit.noise);
+  const auto best = std::min_element(fits.begin(), fits.end(),
+                                     [](const FittedPose &p, const FittedPose &q) { return p.noise < q.noise; });
+  const double noise = best->noise;
+  if (fits.size() > 1) {
+    const Photometry surround = best->photometry;
+    for (FittedPose &fit : fits) {
+      fit.squares = robustSquares(pixels, fit, pattern, surround, noise, memory);
+    }
+    std::sort(fits.begin(), fits.end(), [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; });
   }
-  for (FittedPose &fit : fits) {
-    fit.squares = robustSquares(pixels, fit, pattern, noise);
-  }
-  std::sort(fits.begin(), fits.end(), [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; });
   return noise;
 }
 
-// Refines the poses that have a chance on many pixels around their own edges; a pose without one is kept as it is.
-std::vector<FittedPose> refineWorthy(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                     const MarkerPattern &pattern, const FitSettings &settings, double quietZone,
-                                     const std::vector<FittedPose> &coarse, double noise, std::vector<FitPixel> &pixels)
+// A pose without a chance beside the best, by what the few pixels say.
+bool isHopeless(const FittedPose &fit, const FittedPose &best, double noise)
 {
-  std::vector<MarkerPlane> planes;
-  std::vector<FitStart> starts;
-  std::vector<FittedPose> hopeless;
-  for (const FittedPose &fit : coarse) {
-    if (fit.squares - coarse[0].squares > 2. * hopelessOdds * noise * noise) {
-      hopeless.push_back(fit);
-      continue;
-    }
-    planes.push_back(fit.plane);
-    starts.push_back({fit.plane, fit.photometry, fit.noise});
-  }
-  const double blur = std::clamp(coarse[0].photometry.blur.sigma, leastBlur, mostBlur);
-  selectPixels(I, camera, planes.data(), planes.size(), pattern, blur, quietZone, manyPixels, pixels);
-  std::vector<FittedPose> fits = fitAll(pixels, starts, pattern, settings);
-  if (!fits.empty()) {
-    fits.insert(fits.end(), hopeless.begin(), hopeless.end());
-  }
-  return fits;
+  return fit.squares - best.squares > 2. * hopelessOdds * noise * noise;
 }
 } // namespace
 
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                   const Recognition &marker, bool refine, std::vector<FitPixel> &pixels)
+                                   const Recognition &marker, bool refine, MeasureMemory &memory)
 {
   const MarkerPattern pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
-  const double quietZone = marker.family.getLayout().quietZone;
   FitSettings settings;
   settings.spinIsKnown = pattern.sectors > 0;
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
 
-  // Both poses on few pixels, to know which are worth more and how wide the blur is.
-  selectPixels(I, camera, marker.poses.data(), marker.poses.size(), pattern, commonBlur, quietZone, fewPixels, pixels);
+  // All starts on few pixels, to know which are worth more and how wide the blur is.
+  const double quietZone = marker.family.getLayout().quietZone;
+  selectFewPixels(I, camera, marker.poses.data(), marker.poses.size(), pattern, commonBlur, quietZone, memory.pixels);
   FitSettings coarse = settings;
   coarse.convergence = coarseConvergence;
   coarse.mostIterations = refine ? coarseIterations : 0;
-  std::vector<FittedPose> fits = fitAll(pixels, startsOf(marker.poses, camera), pattern, coarse);
+  std::vector<FittedPose> fits = fitAll(memory.pixels, startsOf(marker.poses, camera), pattern, coarse, memory.fit);
   if (fits.empty()) {
     return std::nullopt;
   }
-  double noise = rank(pixels, pattern, fits);
+  double noise = rank(memory.pixels, pattern, fits, memory.fit);
   keepTwo(fits);
+
+  // Those that have a chance on all pixels.
+  std::optional<FittedPose> hopeless;
+  double hopelessCost = 0.;
   if (refine) {
-    fits = refineWorthy(I, camera, pattern, settings, quietZone, fits, noise, pixels);
+    if (fits.size() > 1 && isHopeless(fits[1], fits[0], noise)) {
+      hopeless = fits[1];
+      hopelessCost = (fits[1].squares - fits[0].squares) / (2. * noise * noise);
+      fits.pop_back();
+    }
+    const std::array<MarkerPlane, 2> planes = {fits.front().plane, fits.back().plane};
+    const double blur = std::clamp(fits[0].photometry.blur.sigma, leastBlur, mostBlur);
+    selectPixels(I, camera, planes.data(), fits.size(), pattern, blur, quietZone, manyPixels, memory.pixels);
+    std::vector<FitStart> starts;
+    for (const FittedPose &fit : fits) {
+      starts.push_back({fit.plane, fit.photometry, noise});
+    }
+    fits = fitAll(memory.pixels, starts, pattern, settings, memory.fit);
     if (fits.empty()) {
       return std::nullopt;
     }
-    noise = rank(pixels, pattern, fits);
+    noise = rank(memory.pixels, pattern, fits, memory.fit);
   }
   const double refined = pattern.sectors > 0 ? leastCorrelation : leastCorrelationWithoutCode;
   const double least = refine ? refined : leastCorrelationUnrefined;
@@ -198,6 +199,11 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   if (fits.size() > 1 && !isSamePose(fits[0], fits[1])) {
     result.second = fits[1];
     result.cost2 = fits[1].squares / (2. * noise * noise);
+  }
+  else if (hopeless) {
+    // What the few pixels say against it: all of them would say more.
+    result.second = hopeless;
+    result.cost2 = result.cost + hopelessCost;
   }
   return result;
 }

@@ -35,17 +35,24 @@ struct Measurement
   double cost2 = HUGE_VAL;          //!< And of the second.
 };
 
+/*! Working memory of measure(), used again from one marker to the next. */
+struct MeasureMemory
+{
+  std::vector<FitPixel> pixels; //!< The pixels that are explained.
+  FitMemory fit;                //!< Of the fits.
+};
+
 /*!
   Refines both poses of a marker on the image and compares how well they explain it.
   \param I : The image.
   \param camera : Its camera.
   \param marker : The marker, with the poses to start from.
   \param refine : Whether to move the poses, or only to evaluate them.
-  \param pixels : Working memory.
+  \param memory : Working memory.
   \return Nothing if the image does not look like the marker after all.
 */
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                   const Recognition &marker, bool refine, std::vector<FitPixel> &pixels);
+                                   const Recognition &marker, bool refine, MeasureMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -1,0 +1,130 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * A few pixels across the edges of a marker.
+ */
+
+#include "refine/few_pixels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "refine/pattern_distance.h"
+#include "support/normal_distribution.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Rows across each circle of the ring, and across each border between sectors.
+constexpr int rowsOfCircle = 24;
+constexpr int rowsOfBorder = 2;
+// A row's pixels lie up to this many standard deviations of the blur to either side of the edge.
+constexpr int pixelsOfRow = 5;
+constexpr double reach = 2.6;
+// A pixel that may see more than this share of the surround, of which nothing is known here, is left out.
+constexpr double mostSurround = 0.02;
+
+// Puts the rows of one hypothesis.
+class Rows
+{
+public:
+  Rows(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane, double blur,
+       double outermost, std::vector<FitPixel> &pixels)
+      : m_image(I), m_camera(camera), m_plane(plane), m_blur(blur), m_outermost(outermost), m_pixels(pixels)
+  {
+    m_center = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
+    m_size = (camera.toPixel(plane.project(Eigen::Vector2d(1., 0.))) - m_center).norm();
+  }
+
+  // A row across an edge at the point q of the plane; across: a direction of the plane that leads off the edge.
+  void put(const Eigen::Vector2d &q, const Eigen::Vector2d &across)
+  {
+    const Eigen::Vector2d p = m_camera.toPixel(m_plane.project(q));
+    const PlanePoint point = planePoint({m_camera.toMeter(p), m_camera.meterPerPixel(p)}, m_plane);
+    const Eigen::Vector2d normal = (point.byPixel.transpose() * across).normalized();
+    const double gradient = (point.byPixel.transpose() * q.normalized()).norm();
+    for (int k = 0; k < pixelsOfRow; ++k) {
+      const double along = reach * m_blur * (2. * k / (pixelsOfRow - 1.) - 1.);
+      const double u = std::round(p.x() + along * normal.x());
+      const double v = std::round(p.y() + along * normal.y());
+      if (u >= 0. && v >= 0. && u < m_image.getWidth() && v < m_image.getHeight()) {
+        add(Eigen::Vector2d(u, v), gradient);
+      }
+    }
+  }
+
+private:
+  void add(const Eigen::Vector2d &where, double gradient)
+  {
+    FitPixel pixel;
+    pixel.model = {m_camera.toMeter(where), m_camera.meterPerPixel(where)};
+    const double radius = m_plane.intersect(pixel.model.meter).norm();
+    pixel.surround = NormalDistribution::instance().at((radius - m_outermost) / (gradient * m_blur)).cumulative;
+    if (pixel.surround > mostSurround) {
+      return;
+    }
+    pixel.beyondSpread = HUGE_VAL;
+    pixel.offset = (where - m_center) / m_size;
+    pixel.grey = m_image[static_cast<unsigned int>(where.y())][static_cast<unsigned int>(where.x())];
+    m_pixels.push_back(pixel);
+  }
+
+  const vpImage<unsigned char> &m_image;
+  const CameraModel &m_camera;
+  const MarkerPlane &m_plane;
+  const double m_blur;
+  const double m_outermost;
+  std::vector<FitPixel> &m_pixels;
+  Eigen::Vector2d m_center;
+  double m_size;
+};
+} // namespace
+
+void selectFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
+                     std::size_t count, const MarkerPattern &pattern, double blur, double quietZone,
+                     std::vector<FitPixel> &pixels)
+{
+  pixels.clear();
+  const int hypotheses = static_cast<int>(count);
+  for (int h = 0; h < hypotheses; ++h) {
+    Rows rows(I, camera, planes[h], blur, 1. + quietZone, pixels);
+    for (unsigned int i = 0; i < pattern.ringEdges; ++i) {
+      for (int k = h; k < rowsOfCircle; k += hypotheses) {
+        // The two circles' rows alternate in angle.
+        const double angle = 2. * M_PI * (k + 0.5 * i) / rowsOfCircle;
+        const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+        rows.put(pattern.ring[i].radius * direction, direction);
+      }
+    }
+    for (int k = 0; k < static_cast<int>(pattern.sectors); ++k) {
+      const Eigen::Vector2d &across = pattern.acrossBorder(k);
+      const Eigen::Vector2d along(across.y(), -across.x());
+      if (pattern.isBlack(k) != pattern.isBlack(k - 1)) {
+        for (int i = h; i < rowsOfBorder; i += hypotheses) {
+          const double share = (i + 1.) / (rowsOfBorder + 1.);
+          rows.put((pattern.track[1].radius + share * (pattern.track[0].radius - pattern.track[1].radius)) * along,
+                   across);
+        }
+      }
+      // A black sector's rims, in turn.
+      if (pattern.isBlack(k) && k % hypotheses == h) {
+        const double angle = 2. * M_PI * (k + 0.5) / pattern.sectors;
+        const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+        rows.put(pattern.track[(k / hypotheses) % 2].radius * direction, direction);
+      }
+    }
+  }
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

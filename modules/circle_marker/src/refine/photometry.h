@@ -1,0 +1,45 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What an image of a marker depends on beside its pose.
+ */
+
+#ifndef VP_CIRCLE_MARKER_PHOTOMETRY_H
+#define VP_CIRCLE_MARKER_PHOTOMETRY_H
+
+#include <Eigen/Core>
+
+#include <visp3/circle_marker/vpConfigCircleMarker.h>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! How the camera and the ink soften and shift edges. */
+struct BlurParameters
+{
+  double sigma = 0.8; //!< Standard deviation of lens blur and pixel area together, pixels.
+  double growth = 0.; //!< Distance by which every black region is larger than designed, pixels.
+};
+
+/*! Light, contrast and blur of a marker's image. */
+struct Photometry
+{
+  double light = 200.;                                     //!< Grey level of white paper at the marker's centre.
+  Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero(); //!< Its change over the marker's size, grey levels.
+  double contrast = 0.8;                                   //!< 1 - black / white.
+  BlurParameters blur;
+};
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

@@ -1,0 +1,89 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Pixels in blocks of lanes, sorted by what they see.
+ */
+
+/*!
+  \file pixel_blocks.h
+  \brief Pixels sorted by what they see of the print and packed in blocks of lanes.
+
+  Most pixels near the ring see nothing of the code, and the other way round: each kind has a cheaper model of its own.
+*/
+
+#ifndef VP_CIRCLE_MARKER_PIXEL_BLOCKS_H
+#define VP_CIRCLE_MARKER_PIXEL_BLOCKS_H
+
+#include <array>
+#include <vector>
+
+#include "refine/fit_pixels.h"
+#include "refine/photometry.h"
+#include "refine/plane_lanes.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! What a pixel may see of the print. */
+enum class PixelSight
+{
+  RING,          //!< Edges of the ring at most.
+  TRACK,         //!< Edges of the code track at most.
+  RING_AND_TRACK //!< Both.
+};
+constexpr std::size_t pixelSights = 3;
+
+/*! Borders between sectors that a pixel may see: the nearest one and as many to either side. */
+constexpr int mostBorders = 5;
+
+/*! Variance of a lane that holds no pixel, grey levels^2. */
+constexpr float noPixel = 1e30f;
+
+/*! Eight pixels that may see the same parts of the print. */
+struct PixelBlock
+{
+  PlaceLanes place;          //!< Where the pixels are.
+  Lanes offsetU, offsetV;    //!< From the marker's centre, in units of its image's size.
+  Lanes grey;                //!< Grey level.
+  Lanes surround;            //!< Share of the surround that is expected in it: half of what may be.
+  Lanes beyond;              //!< Grey level of that surround.
+  Lanes variance;            //!< Of what the surround may change beside that, grey levels^2.
+  Lanes acrossX, acrossY;    //!< Unit vector on the marker across the nearest border between sectors.
+  Lanes base;                //!< 1 if the sector before the first border is black, 0 if it is white.
+  Lanes change[mostBorders]; //!< Of each border: 1 from white to black, -1 from black to white, 0 if there is no edge.
+};
+
+/*! All pixels of a marker, in blocks. */
+struct PixelBlocks
+{
+  ImageReference reference;                                 //!< Origin and unit of the places.
+  int borders = mostBorders;                                //!< Borders that a pixel may see: 1, 3 or 5.
+  std::array<std::vector<PixelBlock>, pixelSights> bySight; //!< Blocks of each kind.
+  std::array<std::size_t, pixelSights> count = {{0, 0, 0}}; //!< Pixels of each kind.
+};
+
+/*!
+  Sorts pixels into blocks.
+  \param pixels : The pixels.
+  \param plane : The pose, known to about a pixel.
+  \param pattern : The print.
+  \param photometry : Light and blur, roughly.
+  \param noise : Standard deviation of a pixel's noise, grey levels; 0 if it is not known yet.
+  \param blocks : The result; its memory is used again.
+*/
+void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
+                const Photometry &photometry, double noise, PixelBlocks &blocks);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

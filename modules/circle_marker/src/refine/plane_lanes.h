@@ -1,0 +1,93 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * From pixels to the marker's plane, eight at a time.
+ */
+
+/*!
+  \file plane_lanes.h
+  \brief From pixels to the marker's plane, eight at a time.
+*/
+
+#ifndef VP_CIRCLE_MARKER_PLANE_LANES_H
+#define VP_CIRCLE_MARKER_PLANE_LANES_H
+
+#include "pose/marker_plane.h"
+#include "refine/lanes.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! Origin and unit of image coordinates in single precision: a point of the marker's image and the size of a pixel. */
+struct ImageReference
+{
+  Eigen::Vector2d meter = Eigen::Vector2d::Zero(); //!< The origin, in normalised coordinates.
+  double unit = 1.;                                //!< Size of a pixel there, in normalised coordinates.
+};
+
+/*! Where pixels are in the image. */
+struct PlaceLanes
+{
+  Lanes x, y;       //!< From the reference's origin, in its unit.
+  Lanes xByU, xByV; //!< Derivative of x by the pixel.
+  Lanes yByU, yByV; //!< And of y.
+};
+
+/*! Where pixels are seen on the marker's plane, in units of the outer radius. */
+struct PlaneLanes
+{
+  Lanes qx, qy;                     //!< Place.
+  Lanes qxByU, qxByV, qyByU, qyByV; //!< Derivatives by the pixel.
+  Lanes radius;                     //!< Distance from the centre.
+  Lanes outX, outY;                 //!< Unit vector away from the centre.
+  Lanes gradientU, gradientV;       //!< Derivative of the radius by the pixel.
+  Lanes gradient;                   //!< Its length.
+};
+
+/*! The way from the image to the plane at a pose: a homography, q = (A p + b) / (1 + w p). */
+class PlaneHomography
+{
+public:
+  PlaneHomography(const MarkerPlane &plane, const ImageReference &reference);
+
+  /*! Where pixels are seen on the plane. */
+  void apply(const PlaceLanes &place, PlaneLanes &point) const
+  {
+    const Lanes perSlope = (1.f + m_wx * place.x + m_wy * place.y).inverse();
+    point.qx = (m_axx * place.x + m_axy * place.y + m_bx) * perSlope;
+    point.qy = (m_ayx * place.x + m_ayy * place.y + m_by) * perSlope;
+    const Lanes qxByX = (m_axx - m_wx * point.qx) * perSlope;
+    const Lanes qxByY = (m_axy - m_wy * point.qx) * perSlope;
+    const Lanes qyByX = (m_ayx - m_wx * point.qy) * perSlope;
+    const Lanes qyByY = (m_ayy - m_wy * point.qy) * perSlope;
+    point.qxByU = qxByX * place.xByU + qxByY * place.yByU;
+    point.qxByV = qxByX * place.xByV + qxByY * place.yByV;
+    point.qyByU = qyByX * place.xByU + qyByY * place.yByU;
+    point.qyByV = qyByX * place.xByV + qyByY * place.yByV;
+    // At the very centre the direction does not matter: no edge is near.
+    point.radius = (point.qx * point.qx + point.qy * point.qy).max(1e-12f).sqrt();
+    const Lanes perRadius = point.radius.inverse();
+    point.outX = point.qx * perRadius;
+    point.outY = point.qy * perRadius;
+    point.gradientU = point.qxByU * point.outX + point.qyByU * point.outY;
+    point.gradientV = point.qxByV * point.outX + point.qyByV * point.outY;
+    point.gradient = (point.gradientU * point.gradientU + point.gradientV * point.gradientV).sqrt();
+  }
+
+private:
+  float m_axx, m_axy, m_ayx, m_ayy, m_bx, m_by, m_wx, m_wy;
+};
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

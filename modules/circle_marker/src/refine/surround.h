@@ -1,0 +1,63 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What lies beyond a marker's quiet zone.
+ */
+
+/*!
+  \file surround.h
+  \brief What lies beyond a marker's quiet zone.
+
+  A pixel near the end of the quiet zone sees a part of what lies beyond. What that is can be seen a little farther out:
+  white paper that goes on changes nothing; a dark table darkens the pixel by an amount between nothing (the paper may
+  be larger than it must) and its share of the table.
+*/
+
+#ifndef VP_CIRCLE_MARKER_SURROUND_H
+#define VP_CIRCLE_MARKER_SURROUND_H
+
+#include <array>
+
+#include "pose/marker_plane.h"
+#include "support/camera_model.h"
+
+#include <visp3/core/vpImage.h>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! Grey level beyond the quiet zone, in directions around the marker. */
+struct Surround
+{
+  static constexpr unsigned int directions = 64;
+  std::array<float, directions> grey{};   //!< Mean grey level.
+  std::array<float, directions> spread{}; //!< Standard deviation; HUGE_VALF where the image ends.
+
+  //! The direction in which a point of the marker's plane lies.
+  static unsigned int directionOf(const Eigen::Vector2d &q);
+};
+
+/*!
+  Looks at what lies beyond the quiet zone.
+  \param I : The image.
+  \param camera : Its camera.
+  \param plane : The marker's pose.
+  \param outermost : Radius at which the quiet zone ends, in units of the outer radius.
+  \param blur : Standard deviation of the blur, pixels: the looks begin where it no longer mixes both sides.
+*/
+Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                    double outermost, double blur);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
