@@ -18,6 +18,8 @@
 #include "ellipse/outlines.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -52,8 +54,13 @@ void halve(const vpImage<unsigned char> &I, vpImage<unsigned char> &half)
     const unsigned char *above = I[2 * y];
     const unsigned char *below = I[2 * y + 1];
     unsigned char *out = half[y];
+    // Two pixels are read as one number of 16 bits: so compilers make vector instructions of it.
     for (unsigned int x = 0; x < half.getWidth(); ++x) {
-      const int sum = above[2 * x] + above[2 * x + 1] + below[2 * x] + below[2 * x + 1];
+      std::uint16_t upper;
+      std::uint16_t lower;
+      std::memcpy(&upper, above + 2 * x, sizeof(upper));
+      std::memcpy(&lower, below + 2 * x, sizeof(lower));
+      const auto sum = static_cast<std::uint16_t>((upper & 0xff) + (upper >> 8) + (lower & 0xff) + (lower >> 8));
       out[x] = static_cast<unsigned char>((sum + 2) >> 2);
     }
   }
