@@ -50,6 +50,9 @@ int main(int argc, char *argv[])
       ->check(CLI::Range(1, 1000000));
   app.add_option("--phantoms", phantoms, "Table of the markers found in N images that have none")
       ->check(CLI::Range(1, 1000000));
+  unsigned int timeouts = 0;
+  app.add_option("--timeouts", timeouts, "Table of how long after its timeout the detector comes back, N rounds")
+      ->check(CLI::Range(1, 1000));
   std::string family = "golay23";
   app.add_option("--family", family, "Family of the markers for --reach")
       ->check(CLI::IsMember({"golay23", "bch31", "bch31r", "ring"}))
@@ -76,6 +79,9 @@ int main(int argc, char *argv[])
     if (ratios > 0) {
       bench::tellRatios(std::cout, ratios);
     }
+    if (timeouts > 0) {
+      bench::tellTimeouts(std::cout, timeouts);
+    }
     if (reach > 0) {
       bench::tellReach(std::cout, family, reach);
     }
@@ -85,7 +91,7 @@ int main(int argc, char *argv[])
     if (!photographs.empty()) {
       bench::tellPhotographs(std::cout, photographs, overlays);
     }
-    if (ratios + reach + phantoms > 0 || !photographs.empty()) {
+    if (ratios + timeouts + reach + phantoms > 0 || !photographs.empty()) {
       return 0;
     }
     std::vector<std::string> left = {name};

@@ -44,12 +44,17 @@ Peer aprilTag(float decimation)
 #endif
 } // namespace
 
-Peer circleMarker(unsigned int threads)
+Peer circleMarker(unsigned int threads, bool refine)
 {
   const auto detector = std::make_shared<vpDetectorCircleMarker>(vpCircleMarkerFamily::GOLAY23);
   detector->setNbThreads(threads);
+  detector->setRefinePose(refine);
   const auto poses = std::make_shared<std::vector<vpHomogeneousMatrix>>();
-  return {threads == 1 ? "circle-marker" : "circle-marker-threads-" + std::to_string(threads),
+  std::string name = threads == 1 ? "circle-marker" : "circle-marker-threads-" + std::to_string(threads);
+  if (!refine) {
+    name += "-unrefined";
+  }
+  return {name,
           [detector, poses](const Scene &scene) { detector->detect(scene.image, markerSize, scene.camera, *poses); }};
 }
 

@@ -32,8 +32,8 @@ struct Peer
   std::function<void(const Scene &)> look;
 };
 
-/*! This project's detector for golay23, poses refined. */
-Peer circleMarker(unsigned int threads = 1);
+/*! This project's detector for golay23. */
+Peer circleMarker(unsigned int threads = 1, bool refine = true);
 
 /*! The others that this machine has: AprilTag at decimations 1 and 2 (one thread), adaptive threshold, Canny. */
 std::vector<Peer> peers();

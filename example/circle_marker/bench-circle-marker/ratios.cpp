@@ -72,9 +72,10 @@ double median(std::vector<double> values)
 void tellRatios(std::ostream &out, unsigned int rounds)
 {
   const Peer ours = circleMarker();
+  const Peer unrefined = circleMarker(1, false);
   const std::vector<Peer> others = peers();
-  out << "| frame | peer | peer, ms | circle marker, ms | peer / circle marker | asked for | met |\n"
-      << "|---|---|---|---|---|---|---|\n"
+  out << "| frame | peer | peer, ms | circle marker, ms | without refinement, ms | peer / circle marker "
+         "| without refinement | asked for | met |\n|---|---|---|---|---|---|---|---|---|\n"
       << std::fixed;
   for (const bool clutter : {false, true}) {
     for (const double noise : {2., 0.}) {
@@ -86,22 +87,27 @@ void tellRatios(std::ostream &out, unsigned int rounds)
       for (options.seed = 1; options.seed <= 3; ++options.seed) {
         scenes.push_back(makeScene(options));
         ours.look(scenes.back()); // warms caches up and sizes the working memory
+        unrefined.look(scenes.back());
       }
       for (const Peer &peer : others) {
         std::vector<double> theirTimes;
         std::vector<double> ourTimes;
+        std::vector<double> unrefinedTimes;
         std::vector<double> ratios;
+        std::vector<double> unrefinedRatios;
         for (unsigned int i = 0; i < rounds * scenes.size(); ++i) {
           const Scene &scene = scenes[i % scenes.size()];
           theirTimes.push_back(timeOf(peer, scene));
           ourTimes.push_back(timeOf(ours, scene));
+          unrefinedTimes.push_back(timeOf(unrefined, scene));
           ratios.push_back(theirTimes.back() / ourTimes.back());
+          unrefinedRatios.push_back(theirTimes.back() / unrefinedTimes.back());
         }
         const double goal = goalOf(peer.name, noise);
         const double ratio = median(ratios);
         out << "| " << (clutter ? "clutter, 5 markers" : "plain, 1 marker") << (noise > 0. ? ", noise 2" : ", no noise")
             << " | " << peer.name << " | " << std::setprecision(2) << median(theirTimes) << " | " << median(ourTimes)
-            << " | " << ratio << " | ";
+            << " | " << median(unrefinedTimes) << " | " << ratio << " | " << median(unrefinedRatios) << " | ";
         if (goal > 0.) {
           out << goal << " | " << (ratio >= goal ? "yes" : "no") << " |" << std::endl;
         }

@@ -40,6 +40,14 @@ void tellRatios(std::ostream &out, unsigned int rounds);
 void tellReach(std::ostream &out, const std::string &family, unsigned int frames);
 
 /*!
+  How long after its timeout the detector comes back, on the hard images at 1280 x 960: the greatest wall time, and CPU
+  time, beyond the timeout of all calls with timeouts from 1 to 20 ms.
+  \param out : Where the table goes, Markdown.
+  \param rounds : How often each image is looked at with each timeout.
+*/
+void tellTimeouts(std::ostream &out, unsigned int rounds);
+
+/*!
   Markers found in images that have none: clutter with noise, with and without blur, and the hard images. The upper
   bound of the rate at 95 % is that of Clopper and Pearson (1934).
   \param out : Where the table goes, Markdown.

@@ -17,6 +17,7 @@
 
 #include "edges/convex_arcs.h"
 
+#include <algorithm>
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
@@ -29,9 +30,10 @@ constexpr std::size_t chord = 5;
 constexpr double concaveBend = -0.15;
 // A sharper bend than this, rad, is a corner: an arc of radius 5 pixels bends by 1.
 constexpr double cornerBend = 1.1;
-// Shorter arcs, or arcs that bend less in all, do not fix an ellipse.
+// Shorter arcs do not fix an ellipse.
 constexpr std::size_t fewestPoints = 16;
-constexpr double leastTurn = 0.9;
+// Pixels between two gradients whose turn is told: a ring of radius 5 turns by a radian in between.
+constexpr std::size_t turnStride = 5;
 
 double bendAt(const std::vector<EdgePoint> &points, std::size_t i)
 {
@@ -56,6 +58,27 @@ double doubledArea(const std::vector<EdgePoint> &points)
   return area;
 }
 
+double mostTurn(const Gradient &gradient, const EdgeChains &chains, const EdgeChain &chain)
+{
+  const auto at = [&](std::size_t i) { return gradient.at(chains.pixels[i].x, chains.pixels[i].y); };
+  double turn = 0.;
+  GradientVector before = at(chain.begin);
+  for (std::size_t i = chain.begin + turnStride; turn < leastArcTurn; i += turnStride) {
+    const GradientVector here = at(std::min(i, chain.end - 1));
+    const int cross = before.dx * here.dy - before.dy * here.dx;
+    const int dot = before.dx * here.dx + before.dy * here.dy;
+    // The tangent is more than the angle: an upper bound without an arc tangent.
+    if (cross > 0) {
+      turn += dot > 0 ? std::min(static_cast<double>(cross) / dot, M_PI) : M_PI;
+    }
+    if (i + 1 >= chain.end) {
+      break;
+    }
+    before = here;
+  }
+  return turn;
+}
+
 void cutConvexArcs(const std::vector<EdgePoint> &points, std::vector<std::pair<std::size_t, std::size_t>> &arcs,
                    const Deadline &deadline)
 {
@@ -67,7 +90,7 @@ void cutConvexArcs(const std::vector<EdgePoint> &points, std::vector<std::pair<s
   std::size_t begin = 0;
   double turn = 0.;
   const auto endArc = [&](std::size_t end) {
-    if (end >= begin + fewestPoints && turn >= leastTurn) {
+    if (end >= begin + fewestPoints && turn >= leastArcTurn) {
       arcs.emplace_back(begin, end);
     }
   };

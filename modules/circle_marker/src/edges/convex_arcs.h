@@ -32,6 +32,15 @@ namespace circle_marker {
 */
 double doubledArea(const std::vector<EdgePoint> &points);
 
+/*! Arcs that bend less in all, rad, do not fix an ellipse. */
+constexpr double leastArcTurn = 0.9;
+
+/*!
+  Upper bound of what any arc of a chain of pixels bends in all, rad: the turns of the gradient the right way, every few
+  pixels. It takes a fraction of what locating the chain's points takes.
+*/
+double mostTurn(const Gradient &gradient, const EdgeChains &chains, const EdgeChain &chain);
+
 /*!
   Cuts a chain where it bends the wrong way (bright inside) or sharply, and returns the pieces that bend enough to fix
   an ellipse.

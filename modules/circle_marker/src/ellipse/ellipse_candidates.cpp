@@ -202,6 +202,9 @@ struct Search
     if (memory.left[index] == 0 || deadline.hasPassed()) {
       return;
     }
+    if (mostTurn(gradient, chains, chains.chains[index]) < leastArcTurn) {
+      return;
+    }
     bench.points.clear();
     locateChain(gradient, chains, chains.chains[index], bench.points, deadline);
     cutConvexArcs(bench.points, bench.arcs, deadline);
@@ -231,6 +234,9 @@ struct Search
                 return p->chain != q->chain ? p->chain < q->chain : std::less<>()(p, q);
               });
     for (EllipseMemory::Proposal *proposal : memory.proposals) {
+      if (deadline.hasPassed()) {
+        break;
+      }
       memory.known.take(proposal->candidate);
     }
     for (EllipseMemory::Bench &bench : memory.benches) {

@@ -52,6 +52,8 @@ constexpr double besideEdge = 1.5;
 // A centre is bright (dark) if it lies this share of the step at the outline above the dark side (below the bright
 // side). The centre of a ring of 8 pixels keeps a third after the blur; a dark blob has none.
 constexpr double leastCenter = 0.1;
+// Share of an ellipse's perimeter that an arc must have to be judged by its centre at once.
+constexpr double leastShareForCenter = 0.5;
 // Share of an outline's points that is kept when it does not fit as a whole, and how often the choice is made again.
 constexpr double trimmedShare = 0.75;
 constexpr int trimmingPasses = 10;
@@ -197,7 +199,10 @@ EllipseReject OutlineFitter::fit(const vpImage<unsigned char> &I, const Gradient
   if (!fitPoints(points, count, candidate) || candidate.ellipse.a > I.getWidth() + I.getHeight()) {
     return EllipseReject::NOT_AN_ELLIPSE;
   }
-  if (isWhole && !hasSoughtCenter(I, points, count, candidate.ellipse.center, sought)) {
+  // The centre of an ellipse is known as soon as half of it is.
+  const double perimeter = M_PI * (candidate.ellipse.a + candidate.ellipse.b);
+  const bool knowsCenter = isWhole || static_cast<double>(count) > leastShareForCenter * perimeter;
+  if (knowsCenter && !hasSoughtCenter(I, points, count, candidate.ellipse.center, sought)) {
     return EllipseReject::OTHER_CENTER;
   }
   if (rootMeanSquareDistance(candidate, points, count) > fitToleranceOf(candidate.ellipse) &&
