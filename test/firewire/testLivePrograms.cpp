@@ -138,7 +138,7 @@ TEST(LivePrograms, WrongArgumentsEndWithTwo)
   }
   const std::vector<std::vector<std::string>> servo = {
       {"--nosuchoption"},          {"--source", "firewire"}, {"--distance", "-1"}, {"--size", "0"},
-      {"--output", "/dev/null/x"}, {"--max-speed", "100"},   {"--id", "-3"}};
+      {"--output", "/dev/null/x"}, {"--max-speed", "100"},   {"--id", "-3"},       {"--family", "bch31"}};
   for (std::vector<std::string> arguments : servo) {
     arguments.push_back("--display-off");
     const test::Outcome outcome = test::runOnBus(SERVO_PROGRAM, arguments, folder, nullptr);

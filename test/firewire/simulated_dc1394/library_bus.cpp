@@ -26,7 +26,7 @@ using namespace simulated_bus;
 
 struct __dc1394_t
 {
-  int unused;
+  int lists; //!< How often cameras were listed; as in libdc1394, a library that is not there ends the program.
 };
 
 namespace {
@@ -67,8 +67,9 @@ dc1394error_t dc1394_log_register_handler(dc1394log_t, void (*)(dc1394log_t, con
   return DC1394_SUCCESS;
 }
 
-dc1394error_t dc1394_camera_enumerate(dc1394_t *, dc1394camera_list_t **list)
+dc1394error_t dc1394_camera_enumerate(dc1394_t *library, dc1394camera_list_t **list)
 {
+  ++library->lists;
   if (scenario().listFails) {
     return DC1394_FAILURE;
   }

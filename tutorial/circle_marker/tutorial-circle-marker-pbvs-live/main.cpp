@@ -28,6 +28,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <visp3/robot/vpSimulatorCamera.h>
 
@@ -101,6 +102,10 @@ void openSimulatedCamera(const Order &order, vpRobot &robot, Vision &vision)
   const auto *standIn = dynamic_cast<const vpSimulatorCamera *>(&robot);
   if (standIn == nullptr) {
     throw UsageError("the simulated camera is for the robot that stands in; for yours, add --source with its camera");
+  }
+  const std::vector<vpCircleMarkerFamily> &families = order.detector.families;
+  if (!families.empty() && (families.size() > 1 || families.front().getName() != "golay23")) {
+    throw UsageError("the simulated camera shows a golay23 marker; leave out --family, or add --source");
   }
   vision.camera = simulatedCamera(order);
   constexpr std::uint64_t seed = 1; // of the noise
