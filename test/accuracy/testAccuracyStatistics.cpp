@@ -158,11 +158,15 @@ TEST(Summary, CalibrationOfTheLogOdds)
   for (int i = 0; i < 100; ++i) {
     Record record;
     record.found = 1.;
+    record.predicted = 0.03;
     record.logOdds = std::log(0.97 / 0.03);
     record.wrong = i < 10 ? 1. : 0.;
     records.push_back(record);
     record.logOdds = HUGE_VAL; // No second pose.
     record.wrong = 0.;
+    records.push_back(record);
+    record.predicted = none; // Facing the camera: not asked.
+    record.wrong = 1.;
     records.push_back(record);
   }
   const std::vector<Calibration> bins = calibrationOf(records);

@@ -64,7 +64,7 @@ Request parseCommandLine(int argc, const char *const argv[])
       "The bound's unknowns are pose, levels and blur; the rounding to 8 bits counts as noise. Images in which the\n"
       "mirrored pose comes first are counted beside the odds that the bound gives (Phi(-separation / 2), computed\n"
       "for every image with a marker below 100 pixels, beyond which they are nil) and left out of the errors.\n"
-      "20 frames take 2 to 3 minutes on two cores.");
+      "20 frames take 3 minutes of CPU time.");
   if (!parse(app, argc, argv)) {
     return Request{std::nullopt, app.help()};
   }

@@ -61,7 +61,7 @@ Record recordOf(const Scene &scene, const Limit &limit)
   record.boundZ = millimetres * limit.bound.z;
   record.boundNormal = vpMath::deg(limit.bound.normal);
   record.boundRotation = vpMath::deg(std::hypot(limit.bound.normal, limit.bound.spin));
-  record.predicted = limit.separation ? limit.separation->wrongChoice : std::isnan(limit.bound.z) ? none : 0.;
+  record.predicted = limit.separation ? limit.separation->wrongChoice : limit.isCertain ? 0. : none;
   record.separation = limit.separation ? limit.separation->separation : none;
   return record;
 }
@@ -98,7 +98,8 @@ Limit Laboratory::limitOf(const Scene &scene, bool withSeparation) const
   const vpSimulatedMarker marker = scene.marker();
   Limit limit;
   limit.bound = bound.bound(marker);
-  if (withSeparation && 2. * edgeOf(scene).semiAxisA < separateFrom) {
+  limit.isCertain = withSeparation && 2. * edgeOf(scene).semiAxisA >= separateFrom;
+  if (withSeparation && !limit.isCertain) {
     limit.separation = bound.separation(marker);
   }
   return limit;
@@ -161,7 +162,6 @@ Record Laboratory::measureTag(const Scene &scene, const Limit &limit, int decima
   Record record = recordOf(scene, limit);
   record.method = "apriltag-" + std::to_string(decimation);
   record.id = scene.id % tagIds;
-  record.predicted = none;
   addError(place->second.look(m_image, scene.assumed, scene.id % tagIds).halfPixel, scene, record);
   return record;
 }

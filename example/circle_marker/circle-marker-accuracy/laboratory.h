@@ -30,7 +30,8 @@ namespace accuracy {
 struct Limit
 {
   vpPoseBound bound;
-  std::optional<vpPoseSeparation> separation; //!< Nothing: so far apart that it was not computed.
+  std::optional<vpPoseSeparation> separation; //!< Nothing: not computed.
+  bool isCertain = false; //!< Not computed, because the marker is so large that the two poses cannot be confused.
 };
 
 /*! Where no limit is asked for. */

@@ -59,7 +59,9 @@ void addIntroduction(const std::vector<std::string> &comments, Document &documen
       "the number that the bound predicts, the sum of Phi(-separation / 2), and left out of all errors against the "
       "bound. Bias is the mean of error over bound; its own standard error is 1 / sqrt(images), that of a ratio 1 / "
       "sqrt(2 images). Maha²: squared Mahalanobis distance of the error by the covariance that the detector reports; "
-      "95 %: its quantile over that of the chi-squared distribution.");
+      "95 %: its quantile over that of the chi-squared distribution. Under the targets, a figure is beyond chance "
+      "where "
+      "it misses by more than two of its standard errors.");
 }
 } // namespace
 

@@ -57,6 +57,7 @@ std::string jsonOf(const std::vector<std::string> &comments, const std::vector<T
                                  {"least", number(check.least)},
                                  {"most", number(check.most)},
                                  {"images", check.frames},
+                                 {"standard_error", number(check.error)},
                                  {"met", check.isMet()}});
   }
   result["tables"] = ordered_json::array();

@@ -69,7 +69,9 @@ void addErrors(const Records &right, Summary &summary)
   }
   constexpr double millimetres = 1000.;
   constexpr double perCent = 100.;
-  summary.depthBias = over(right, [](const Record &r) { return perCent * r.z / (millimetres * r.distance); }).mean;
+  const auto depth = over(right, [](const Record &r) { return perCent * r.z / (millimetres * r.distance); });
+  summary.depthBias = depth.mean;
+  summary.depthSpread = depth.sigma;
   summary.mahalanobis = over(right, [](const Record &r) { return r.mahalanobis / r.dof; }).mean;
   summary.mahalanobis95 =
       over(right, [](const Record &r) { return r.mahalanobis / (r.dof == 5. ? chiSquared5 : chiSquared6); }).p95;
@@ -108,6 +110,8 @@ Summary summaryOf(const Records &records)
   summary.positionMedian = position.median;
   summary.normal = normal.mean;
   summary.normalMedian = normal.median;
+  summary.positionSpread = position.sigma;
+  summary.normalSpread = normal.sigma;
   summary.milliseconds = over(records, [](const Record &r) { return r.milliseconds; }).median;
   return summary;
 }
@@ -117,7 +121,8 @@ std::vector<Calibration> calibrationOf(const Records &records)
   std::vector<Calibration> bins = {{0.5, 0.8}, {0.8, 0.95}, {0.95, 0.99}, {0.99, 1.}};
   for (Calibration &bin : bins) {
     const Records inside = chosen(records, [&bin](const Record &r) {
-      return r.isFound() && probability(r) >= bin.from && (probability(r) < bin.to || bin.to == 1.);
+      return r.isFound() && !std::isnan(r.predicted) && probability(r) >= bin.from &&
+             (probability(r) < bin.to || bin.to == 1.);
     });
     bin.frames = inside.size();
     bin.right = chosen(inside, [](const Record &r) { return !r.isWrong(); }).size();

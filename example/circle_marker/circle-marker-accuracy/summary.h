@@ -56,10 +56,12 @@ struct Summary
   std::array<double, QUANTITIES> bias;     //!< Mean of error over bound; the normal's: of the change of tilt.
   std::array<double, QUANTITIES> optimism; //!< Root mean square of error over reported standard deviation.
   double depthBias = none;                 //!< Mean of the depth's error over the distance, per cent.
+  double depthSpread = none;               //!< Standard deviation of it.
   double mahalanobis = none;               //!< Mean of the squared error by the covariance over degrees of freedom.
   double mahalanobis95 = none;             //!< Its 95 % quantile over that of the chi-squared distribution.
-  double position = none, positionMedian = none; //!< |C - eC| over all frames found, mm.
-  double normal = none, normalMedian = none;     //!< Angle of the normal over all frames found, degrees.
+  double position = none, positionMedian = none;     //!< |C - eC| over all frames found, mm.
+  double normal = none, normalMedian = none;         //!< Angle of the normal over all frames found, degrees.
+  double positionSpread = none, normalSpread = none; //!< Standard deviations of these two.
   double rotation = none;     //!< Root mean square of the rotation's error, degrees; 6 degrees of freedom.
   double milliseconds = none; //!< Median CPU time of an image.
 
@@ -78,6 +80,7 @@ struct Calibration
   double reported = none; //!< Mean of the reported probability.
 };
 
+/*! Of the images with a prediction: where the marker faces the camera there is no mirrored pose to be told from. */
 std::vector<Calibration> calibrationOf(const Records &records);
 } // namespace accuracy
 

@@ -135,8 +135,7 @@ Table calibrationTable(const Records &limits)
   Table table = {"Log-odds: of those reported to be right with this probability so many are",
                  {"reported", "images", "mean reported %", "right %"},
                  {}};
-  for (const Calibration &bin :
-       calibrationOf(chosen(limits, [](const Record &r) { return r.predicted == r.predicted; }))) {
+  for (const Calibration &bin : calibrationOf(limits)) {
     table.rows.push_back({format("%.0f", 100. * bin.from) + " - " + format("%.0f", 100. * bin.to) + " %",
                           std::to_string(bin.frames), format("%.2f", 100. * bin.reported),
                           bin.frames > 0
@@ -254,7 +253,7 @@ Table missesOf(const std::vector<Check> &checks)
 {
   const auto met = std::count_if(checks.begin(), checks.end(), [](const Check &check) { return check.isMet(); });
   Table table = {"Targets: " + std::to_string(met) + " of " + std::to_string(checks.size()) + " are met; these are not",
-                 {"target", "where", "measured", "asked for", "images"},
+                 {"target", "where", "measured", "+-", "asked for", "images", "beyond chance"},
                  {}};
   for (const Check &check : checks) {
     if (!check.isMet()) {
@@ -266,8 +265,8 @@ Table missesOf(const std::vector<Check> &checks)
         asked << "at most ";
       }
       asked << check.most;
-      table.rows.push_back(
-          {check.target, check.where, format("%.3g", check.value), asked.str(), std::to_string(check.frames)});
+      table.rows.push_back({check.target, check.where, format("%.3g", check.value), format("%.2g", check.error),
+                            asked.str(), std::to_string(check.frames), check.isClear() ? "yes" : ""});
     }
   }
   return table;

@@ -43,7 +43,10 @@ struct Check
   double value;       //!< Measured.
   double least, most; //!< Where it should be.
   std::size_t frames; //!< Images it was measured on.
+  double error;       //!< Standard error of the value: what the number of images leaves open.
 
+  /*! Whether it is off by more than two standard errors. */
+  bool isClear() const { return value + 2. * error < least || value - 2. * error > most; }
   bool isMet() const { return value >= least && value <= most; } // Not a number is not met.
 };
 

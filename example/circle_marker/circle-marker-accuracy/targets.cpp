@@ -16,6 +16,7 @@
  */
 
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "parts.h"
@@ -28,6 +29,25 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // A figure over fewer images says nothing.
 constexpr std::size_t leastImages = 5;
 
+// Degrees of freedom, for the standard error of a mean of chi-squared over them: 5 or 6.
+constexpr double leastDof = 5.;
+// Standard error of the 95 % quantile of chi-squared (5 degrees of freedom) over that quantile, of one image:
+// sqrt(0.05 * 0.95) / (density there, 0.0205) / 11.07.
+constexpr double quantileError = 0.96;
+
+double root(std::size_t count)
+{
+  return std::sqrt(static_cast<double>(count));
+}
+
+/*! Standard error of a share of so many; of none or all, that of one. */
+double shareError(std::size_t part, std::size_t whole)
+{
+  const double count = static_cast<double>(whole);
+  const double p = std::fmin(std::fmax(static_cast<double>(part), 1.), std::fmax(count - 1., 1.)) / count;
+  return std::sqrt(p * (1. - p) / count);
+}
+
 double share(std::size_t part, std::size_t whole)
 {
   return static_cast<double>(part) / static_cast<double>(whole);
@@ -36,22 +56,25 @@ double share(std::size_t part, std::size_t whole)
 void addRatios(const Summary &s, const std::string &where, double most, std::vector<Check> &checks)
 {
   for (int q = 0; q < QUANTITIES; ++q) {
-    checks.push_back({std::string("RMS / bound, ") + quantityNames[q], where, s.ratio[q], -infinity, most, s.right});
+    checks.push_back({std::string("RMS / bound, ") + quantityNames[q], where, s.ratio[q], -infinity, most, s.right,
+                      s.ratio[q] * s.ratioError()});
   }
 }
 
 void addBiases(const Summary &s, const std::string &where, std::vector<Check> &checks)
 {
   for (int q = 0; q < QUANTITIES; ++q) {
-    checks.push_back(
-        {std::string("|bias| / sigma, ") + quantityNames[q], where, std::fabs(s.bias[q]), -infinity, 0.2, s.right});
+    checks.push_back({std::string("|bias| / sigma, ") + quantityNames[q], where, std::fabs(s.bias[q]), -infinity, 0.2,
+                      s.right, s.ratio[q] / root(s.right)});
   }
 }
 
 void addHonesty(const Summary &s, const std::string &where, std::vector<Check> &checks)
 {
-  checks.push_back({"mean of Mahalanobis^2 / dof", where, s.mahalanobis, 0.9, 1.15, s.right});
-  checks.push_back({"95 % of Mahalanobis^2 / chi^2's", where, s.mahalanobis95, 0.85, 1.15, s.right});
+  checks.push_back({"mean of Mahalanobis^2 / dof", where, s.mahalanobis, 0.9, 1.15, s.right,
+                    std::sqrt(2. / leastDof) / root(s.right)});
+  checks.push_back(
+      {"95 % of Mahalanobis^2 / chi^2's", where, s.mahalanobis95, 0.85, 1.15, s.right, quantileError / root(s.right)});
 }
 
 void addLimits(const Records &limits, std::vector<Check> &checks)
@@ -76,11 +99,11 @@ void addLimits(const Records &limits, std::vector<Check> &checks)
     }
     const Summary s = summaryOf(all);
     if (s.found >= leastImages) {
-      checks.push_back(
-          {"wrong solutions / predicted", family, static_cast<double>(s.wrong) / s.predicted, -infinity, 1.3, s.found});
+      checks.push_back({"wrong solutions / predicted", family, static_cast<double>(s.wrong) / s.predicted, -infinity,
+                        1.3, s.found, root(s.wrong) / s.predicted});
       const Summary apart = summaryOf(chosen(all, [](const Record &r) { return !(r.separation < 7.); }));
-      checks.push_back(
-          {"wrong solutions beyond 7 sigma", family, share(apart.wrong, apart.found), -infinity, 0.001, apart.found});
+      checks.push_back({"wrong solutions beyond 7 sigma", family, share(apart.wrong, apart.found), -infinity, 0.001,
+                        apart.found, shareError(apart.wrong, apart.found)});
     }
   }
 }
@@ -95,18 +118,19 @@ void addDistances(const Records &limits, std::vector<Check> &checks)
       continue;
     }
     if (distanceCells[i].mostTilt == 0.) {
-      checks.push_back({"normal RMS, degrees", distanceCells[i].name, summaryOf(withoutMirror(here)).rms[NORMAL],
-                        -infinity, 1.9, s.found});
+      const Summary all = summaryOf(withoutMirror(here));
+      checks.push_back({"normal RMS, degrees", distanceCells[i].name, all.rms[NORMAL], -infinity, 1.9, all.right,
+                        all.rms[NORMAL] * all.ratioError()});
     }
     else {
-      checks.push_back(
-          {"wrong solutions", distanceCells[i].name, share(s.wrong, s.found), -infinity, mostWrong[i], s.found});
+      checks.push_back({"wrong solutions", distanceCells[i].name, share(s.wrong, s.found), -infinity, mostWrong[i],
+                        s.found, shareError(s.wrong, s.found)});
     }
   }
   for (const Calibration &bin : calibrationOf(limits)) {
     if (bin.from == 0.95 && bin.frames >= leastImages) {
-      checks.push_back(
-          {"right of those reported at 95-99 %", "limits", share(bin.right, bin.frames), 0.93, 0.995, bin.frames});
+      checks.push_back({"right of those reported at 95-99 %", "limits", share(bin.right, bin.frames), 0.93, 0.995,
+                        bin.frames, shareError(bin.right, bin.frames)});
     }
   }
 }
@@ -120,14 +144,15 @@ void addModel(const Records &model, std::vector<Check> &checks)
       continue;
     }
     if (name.rfind("gamma", 0) == 0 || name.rfind("ink", 0) == 0) {
-      checks.push_back({"|bias of z|, per cent", name, std::fabs(s.depthBias), -infinity, 0.1, s.right});
+      checks.push_back({"|bias of z|, per cent", name, std::fabs(s.depthBias), -infinity, 0.1, s.right,
+                        s.depthSpread / root(s.right)});
     }
     if (name.find(" off") != std::string::npos) {
       continue; // What a wrong calibration does to a pose no image tells.
     }
     for (int q = 0; q < QUANTITIES; ++q) {
-      checks.push_back(
-          {std::string("RMS / reported sigma, ") + quantityNames[q], name, s.optimism[q], -infinity, 2., s.right});
+      checks.push_back({std::string("RMS / reported sigma, ") + quantityNames[q], name, s.optimism[q], -infinity, 2.,
+                        s.right, s.optimism[q] * s.ratioError()});
     }
   }
 }
@@ -139,8 +164,10 @@ void addCells(const Records &cells, std::vector<Check> &checks)
       const std::string name = std::string(family) + " " + nameOf(cell);
       const Summary s = summaryOf(chosen(cells, inGroup(name)));
       if (s.found >= leastImages) {
-        checks.push_back({"mean |C-eC|, mm", name, s.position, -infinity, cell.meanError, s.found});
-        checks.push_back({"mean normal, degrees", name, s.normal, -infinity, cell.meanNormal, s.found});
+        checks.push_back({"mean |C-eC|, mm", name, s.position, -infinity, cell.meanError, s.found,
+                          s.positionSpread / root(s.found)});
+        checks.push_back({"mean normal, degrees", name, s.normal, -infinity, cell.meanNormal, s.found,
+                          s.normalSpread / root(s.found)});
       }
     }
   }
@@ -158,7 +185,8 @@ void addTags(const Records &tags, std::vector<Check> &checks)
                            summaryOf(chosen(here, byMethod("apriltag-2")))};
     const auto add = [&](const std::string &name, double ours, double first, double second) {
       checks.push_back({"RMS of circle / AprilTag, " + name, octaveRanges()[octave - 1].name,
-                        ours / std::fmin(first, second), -infinity, 0.2, circle.right});
+                        ours / std::fmin(first, second), -infinity, 0.2, circle.right,
+                        ours / std::fmin(first, second) / root(circle.right)});
     };
     for (int q = X; q <= Z; ++q) {
       add(quantityNames[q], circle.rms[q], tag[0].rms[q], tag[1].rms[q]);
