@@ -191,6 +191,7 @@ TEST(RecordFile, IsReadAsItWasWritten)
   record.z = -0.0123456789;
   record.logOdds = HUGE_VAL;
   record.boundNormal = 1.25e-4;
+  record.predicted = 1.7e-317; // Smaller than std::stod reads.
   const std::string file = (std::filesystem::temp_directory_path() / "testAccuracyStatistics.csv").string();
   std::ofstream(file) << csvOf({"a comment", "another"}, {record, Record()});
   const Records read = readCsv(file);
@@ -200,6 +201,7 @@ TEST(RecordFile, IsReadAsItWasWritten)
   EXPECT_NEAR(read[0].z, record.z, 1e-9);
   EXPECT_EQ(read[0].logOdds, HUGE_VAL);
   EXPECT_DOUBLE_EQ(read[0].boundNormal, 1.25e-4);
+  EXPECT_LT(read[0].predicted, 1e-300);
   EXPECT_TRUE(std::isnan(read[0].x));
   EXPECT_FALSE(read[1].isFound());
   EXPECT_EQ(readComments(file), (std::vector<std::string>{"a comment", "another"}));
