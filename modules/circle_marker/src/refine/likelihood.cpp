@@ -36,6 +36,9 @@ constexpr double sigmaOfQuantile = 0.7803;
 constexpr double leastContrast = 0.5;
 // Black grows by no more than this, pixels, and is expected to grow by none to this standard deviation.
 constexpr double growthPrior = 0.3;
+// The paper mostly ends where it may, or goes on in some directions.
+constexpr double expectedSurround = 0.75;
+constexpr double surroundPrior = 0.3;
 // In the first guess of light and contrast, before the noise is known, a pixel with this variance, grey levels^2, from
 // the surround counts half.
 constexpr float guessedVariance = 25.f;
@@ -156,6 +159,7 @@ struct GreyLanes
 {
   Lanes light;
   Lanes reflectance;
+  Lanes surround; // share of what lies beyond the quiet zone
   Lanes residual;
 };
 
@@ -164,8 +168,9 @@ GreyLanes greyOf(const PixelBlock &block, const Photometry &photometry, const La
   GreyLanes grey;
   grey.light = static_cast<float>(photometry.light) + static_cast<float>(photometry.lightGradient.x()) * block.offsetU +
                static_cast<float>(photometry.lightGradient.y()) * block.offsetV;
+  grey.surround = static_cast<float>(photometry.surround) * block.surround;
   grey.reflectance = 1.f - static_cast<float>(photometry.contrast) * darkness;
-  grey.residual = block.grey - grey.light * grey.reflectance - block.surround * (block.beyond - grey.light);
+  grey.residual = block.grey - grey.light * grey.reflectance - grey.surround * (block.beyond - grey.light);
   return grey;
 }
 } // namespace
@@ -190,14 +195,15 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
     const Lanes weight = guessedVariance / (guessedVariance + block.variance);
-    const Lanes paper = 1.f - block.surround;
+    const Lanes surround = static_cast<float>(photometry.surround) * block.surround;
+    const Lanes paper = 1.f - surround;
     const std::array<Lanes, 4> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness.value};
     for (int i = 0; i < 4; ++i) {
       const Lanes weighted = weight * row[static_cast<std::size_t>(i)];
       for (int j = 0; j < 4; ++j) {
         matrix(i, j) += static_cast<double>((weighted * row[static_cast<std::size_t>(j)]).sum());
       }
-      right[i] += static_cast<double>((weighted * (block.grey - block.surround * block.beyond)).sum());
+      right[i] += static_cast<double>((weighted * (block.grey - surround * block.beyond)).sum());
     }
   });
   const Eigen::Vector4d solution = matrix.ldlt().solve(right);
@@ -229,13 +235,14 @@ Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &phot
     for (std::size_t k = 0; k < poseSize; ++k) {
       row[k] = byDarkness * darkness.byTwist[k];
     }
-    const Lanes byLight = grey.reflectance - block.surround;
+    const Lanes byLight = grey.reflectance - grey.surround;
     row[lightAt] = byLight;
     row[gradientAt] = byLight * block.offsetU;
     row[gradientAt + 1] = byLight * block.offsetV;
     row[contrastAt] = -grey.light * darkness.value;
     row[sigmaAt] = byDarkness * darkness.bySigma;
     row[growthAt] = byDarkness * darkness.byGrowth;
+    row[surroundAt] = block.surround * (block.beyond - grey.light);
     sums.add(row, grey.residual, loss);
   });
   Equations equations = sums.equations();
@@ -317,14 +324,19 @@ Explanation Likelihood::explain(double noise) const
 
 double Likelihood::priorCost(const Photometry &photometry, double noise) const
 {
-  const double u = photometry.blur.growth / growthPrior;
-  return m_settings.growth ? noise * noise * u * u : 0.;
+  const double u = m_settings.growth ? photometry.blur.growth / growthPrior : 0.;
+  const double s = (photometry.surround - expectedSurround) / surroundPrior;
+  return noise * noise * (u * u + s * s);
 }
 
 // Prior on the growth of black; parameters that are not fitted are taken out of the equations, and a 1 on the diagonal
 // keeps these solvable.
 void Likelihood::constrain(const Photometry &photometry, double noise, Equations &equations) const
 {
+  const double surroundWeight = noise * noise / (surroundPrior * surroundPrior);
+  equations.matrix(surroundAt, surroundAt) += surroundWeight;
+  equations.right[surroundAt] -= surroundWeight * (photometry.surround - expectedSurround);
+  equations.cost += priorCost(photometry, noise);
   const auto hold = [&equations](int at) {
     equations.matrix.row(at).setZero();
     equations.matrix.col(at).setZero();
@@ -335,7 +347,6 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
     const double weight = noise * noise / (growthPrior * growthPrior);
     equations.matrix(growthAt, growthAt) += weight;
     equations.right[growthAt] -= weight * photometry.blur.growth;
-    equations.cost += priorCost(photometry, noise);
   }
   else {
     hold(growthAt);

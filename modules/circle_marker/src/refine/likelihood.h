@@ -43,7 +43,8 @@ constexpr int gradientAt = 7;
 constexpr int contrastAt = 9;
 constexpr int sigmaAt = 10;
 constexpr int growthAt = 11;
-constexpr int parameters = 12;
+constexpr int surroundAt = 12;
+constexpr int parameters = 13;
 using ParameterVector = Eigen::Matrix<double, parameters, 1>;
 using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
 

@@ -69,6 +69,7 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   photometry.contrast += step[contrastAt];
   photometry.blur.sigma = std::clamp(photometry.blur.sigma + step[sigmaAt], leastSigma, mostSigma);
   photometry.blur.growth += step[growthAt];
+  photometry.surround += step[surroundAt];
 }
 
 // Standard deviation of the noise from the weighted residuals: more efficient than the median.

@@ -37,6 +37,8 @@ struct Photometry
   double light = 200.;                                     //!< Grey level of white paper at the marker's centre.
   Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero(); //!< Its change over the marker's size, grey levels.
   double contrast = 0.8;                                   //!< 1 - black / white.
+  //! How much of what may lie beyond the quiet zone does: 1 if the paper ends there, 0 if it goes on.
+  double surround = 0.75;
   BlurParameters blur;
 };
 } // namespace circle_marker

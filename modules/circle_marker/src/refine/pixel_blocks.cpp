@@ -29,6 +29,9 @@ namespace {
 // pixels are sorted may be off by this much, pixels.
 constexpr double reach = 4.5;
 constexpr double poseError = 1.;
+// The share of the surround is one for the marker; around a square sheet it differs from direction to direction by
+// this.
+constexpr double unevenShare = 0.3;
 
 // A block without pixels: harmless numbers that count nothing.
 PixelBlock emptyBlock()
@@ -88,11 +91,12 @@ void putSurround(const FitPixel &pixel, const Photometry &photometry, double noi
   const double light = photometry.light + photometry.lightGradient.dot(pixel.offset);
   double doubt = 0.25 * light * light; // where nothing is seen of it, anything is possible
   if (std::isfinite(pixel.beyondSpread)) {
-    block.surround[lane] = static_cast<float>(0.5 * pixel.surround);
+    block.surround[lane] = static_cast<float>(pixel.surround);
     block.beyond[lane] = static_cast<float>(pixel.beyond);
     // Noise alone spreads the few looks: by as much, and half as much again by chance.
     const double texture = std::max(pixel.beyondSpread * pixel.beyondSpread - 2. * noise * noise, 0.);
-    doubt = 0.25 * (pixel.beyond - light) * (pixel.beyond - light) + texture;
+    const double difference = unevenShare * (pixel.beyond - light);
+    doubt = difference * difference + texture;
   }
   block.variance[lane] = static_cast<float>(pixel.surround * pixel.surround * doubt);
 }

@@ -55,8 +55,8 @@ struct PixelBlock
   PlaceLanes place;          //!< Where the pixels are.
   Lanes offsetU, offsetV;    //!< From the marker's centre, in units of its image's size.
   Lanes grey;                //!< Grey level.
-  Lanes surround;            //!< Share of the surround that is expected in it: half of what may be.
-  Lanes beyond;              //!< Grey level of that surround.
+  Lanes surround;            //!< Share that the surround has at most.
+  Lanes beyond;              //!< Grey level of the surround; that of paper where nothing is seen of it.
   Lanes variance;            //!< Of what the surround may change beside that, grey levels^2.
   Lanes acrossX, acrossY;    //!< Unit vector on the marker across the nearest border between sectors.
   Lanes base;                //!< 1 if the sector before the first border is black, 0 if it is white.
