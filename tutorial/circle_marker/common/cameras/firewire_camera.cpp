@@ -158,6 +158,7 @@ private:
   {
     constexpr int mostFailures = 30; // two seconds at 15 images a second
     constexpr std::chrono::milliseconds pause(20);
+    ++m_damaged;
     if (++m_failures >= mostFailures) {
       throw SourceError(message + "; check the cable and whether other cameras fill the bus, choose a lower "
                                   "--framerate or a smaller mode, or unplug the camera and plug it in again");
@@ -172,10 +173,13 @@ private:
       return;
     }
     const double time = 1e-6 * static_cast<double>(frame.timestamp);
-    if (m_interval && m_lastTime && time > *m_lastTime) {
-      result.missed = static_cast<unsigned int>(std::lround(std::max(1., (time - *m_lastTime) / *m_interval)) - 1);
+    if (m_interval && m_lastTime) {
+      // Those between that came damaged are counted as such.
+      const long between = std::lround((time - *m_lastTime) / *m_interval) - 1 - m_damaged;
+      result.missed = static_cast<unsigned int>(std::max(0L, between));
     }
     m_lastTime = time;
+    m_damaged = 0;
     result.time = time;
   }
 
@@ -204,6 +208,7 @@ private:
   std::optional<double> m_interval;            //!< Time between two images, seconds.
   std::optional<double> m_lastTime;            //!< When the last image was taken.
   long m_number = 0;                           //!< Of the next image.
+  long m_damaged = 0;                          //!< Damaged images since the last good one.
   int m_failures = 0;                          //!< In a row.
 };
 } // namespace
