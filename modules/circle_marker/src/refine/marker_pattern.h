@@ -56,10 +56,17 @@ struct MarkerPattern
     return static_cast<int>(std::lround(std::atan2(q.y(), q.x()) * sectors / (2. * M_PI)));
   }
 
+  //! The sector from 0 to n - 1 that a number of any turn stands for: a remainder would take longer than all the rest.
   unsigned int wrap(int sector) const
   {
     const int n = static_cast<int>(sectors);
-    return static_cast<unsigned int>(((sector % n) + n) % n);
+    while (sector < 0) {
+      sector += n;
+    }
+    while (sector >= n) {
+      sector -= n;
+    }
+    return static_cast<unsigned int>(sector);
   }
 };
 

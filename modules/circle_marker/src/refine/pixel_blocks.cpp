@@ -105,8 +105,10 @@ void putSurround(const FitPixel &pixel, const Photometry &photometry, double noi
 void putSectors(float x, float y, const MarkerPattern &pattern, int borders, std::size_t lane, PixelBlock &block)
 {
   const auto l = static_cast<Eigen::Index>(lane);
-  const int nearest =
-      static_cast<int>(std::lround(roughAngle(x, y) * static_cast<float>(pattern.sectors) * 0.15915494f)); // 1 / 2 pi
+  // Borders from -n / 2 to n / 2, shifted by n so that cutting off rounds them.
+  const auto n = static_cast<float>(pattern.sectors);
+  constexpr float perTurn = 0.15915494f; // 1 / 2 pi
+  const int nearest = static_cast<int>(roughAngle(x, y) * n * perTurn + n + 0.5f) - static_cast<int>(pattern.sectors);
   const Eigen::Vector2d &across = pattern.acrossBorder(nearest);
   block.acrossX[l] = static_cast<float>(across.x());
   block.acrossY[l] = static_cast<float>(across.y());
