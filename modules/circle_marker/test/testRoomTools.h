@@ -19,6 +19,7 @@
 #define VP_TEST_ROOM_TOOLS_H
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <random>

@@ -1,0 +1,51 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Arithmetic on eight pixels at a time.
+ */
+
+#include "testRoomTools.h"
+
+#include "refine/lanes.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+TEST(Lanes, NormalDistribution)
+{
+  for (double start = -7.; start < 7.; start += 0.08) {
+    Lanes z;
+    for (int lane = 0; lane < laneCount; ++lane) {
+      z[lane] = static_cast<float>(start + 0.01 * lane);
+    }
+    const NormalLanes normal = normalOf(z);
+    for (int lane = 0; lane < laneCount; ++lane) {
+      const double x = static_cast<double>(z[lane]);
+      EXPECT_NEAR(normal.cumulative[lane], 0.5 * std::erfc(-x * M_SQRT1_2), 3e-7) << x;
+      EXPECT_NEAR(normal.density[lane], std::exp(-0.5 * x * x) / std::sqrt(2. * M_PI), 1e-7) << x;
+    }
+  }
+}
+
+TEST(Lanes, FarAwayIsNeitherInfiniteNorUnknown)
+{
+  Lanes z;
+  z << -1e30f, -1e6f, -50.f, -0.f, 0.f, 50.f, 1e6f, 1e30f;
+  const NormalLanes normal = normalOf(z);
+  const float expected[laneCount] = {0.f, 0.f, 0.f, 0.5f, 0.5f, 1.f, 1.f, 1.f};
+  for (int lane = 0; lane < laneCount; ++lane) {
+    EXPECT_NEAR(normal.cumulative[lane], expected[lane], 1e-6) << z[lane];
+    EXPECT_TRUE(std::isfinite(normal.density[lane]));
+  }
+}

@@ -1,0 +1,128 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Pixels in blocks, sorted by what they see.
+ */
+
+#include "testRoomTools.h"
+
+#include "refine/image_model.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr unsigned int side = 150;
+
+struct Packed
+{
+  MarkerScene scene;
+  MarkerPattern pattern;
+  std::vector<FitPixel> pixels;
+  PixelBlocks blocks;
+};
+
+Packed pack(Random &random, const vpCircleMarkerFamily &family, double diameter, const Photometry &photometry)
+{
+  Packed packed;
+  const int id = family.isCoded() ? static_cast<int>(random() % family.getNbIds()) : -1;
+  packed.scene = markerScene(random, family, id, diameter, uniform(random, 0., 1.), side);
+  packed.pattern = patternOf(family, id, family.getLayout().ringInner);
+  const MarkerPlane plane = packed.scene.plane();
+  selectPixels(digitise(expose(side, side, 0.7, packed.scene, 2), 2., random), CameraModel(packed.scene.camera()),
+               &plane, 1, packed.pattern, 0.8, family.getLayout().quietZone, 1e6, packed.pixels);
+  packPixels(packed.pixels, plane, packed.pattern, photometry, 2., packed.blocks);
+  return packed;
+}
+} // namespace
+
+TEST(PixelBlocks, HoldEveryPixelOnce)
+{
+  Random random = randomOfTest();
+  for (const double diameter : {18., 40., 110.}) {
+    const Packed packed = pack(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), diameter, Photometry());
+    std::size_t count = 0;
+    double grey = 0.;
+    for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+      count += packed.blocks.count[kind];
+      std::size_t lanes = 0;
+      for (const PixelBlock &block : packed.blocks.bySight[kind]) {
+        for (int lane = 0; lane < laneCount; ++lane) {
+          lanes += block.variance[lane] < noPixel;
+          grey += static_cast<double>(block.grey[lane]);
+        }
+      }
+      EXPECT_EQ(lanes, packed.blocks.count[kind]);
+      EXPECT_EQ(packed.blocks.bySight[kind].size(), (lanes + laneCount - 1) / laneCount);
+    }
+    EXPECT_EQ(count, packed.pixels.size());
+    double expected = 0.;
+    for (const FitPixel &pixel : packed.pixels) {
+      expected += pixel.grey;
+    }
+    EXPECT_NEAR(grey, expected, 1e-6 * expected);
+  }
+}
+
+TEST(PixelBlocks, WhatAPixelDoesNotSeeMakesNoDifference)
+{
+  // The model of a kind against the one that looks at everything.
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31R}) {
+    for (int i = 0; i < 10; ++i) {
+      const Packed packed = pack(random, vpCircleMarkerFamily(type), uniform(random, 60., 120.), Photometry());
+      const ImageModel model(packed.scene.plane(), packed.pattern, BlurParameters(), packed.blocks);
+      EXPECT_GT(packed.blocks.count[static_cast<std::size_t>(PixelSight::TRACK)], 100u);
+      for (const PixelBlock &block : packed.blocks.bySight[static_cast<std::size_t>(PixelSight::TRACK)]) {
+        DarknessLanes own, all;
+        model.evaluate(block, PixelSight::TRACK, own);
+        model.evaluate(block, PixelSight::RING_AND_TRACK, all);
+        for (int lane = 0; lane < laneCount; ++lane) {
+          if (block.variance[lane] < noPixel) {
+            EXPECT_NEAR(own.value[lane], all.value[lane], 1e-5);
+            EXPECT_NEAR(own.byTwist[2][lane], all.byTwist[2][lane], 1e-4);
+            EXPECT_NEAR(own.bySigma[lane], all.bySigma[lane], 1e-4);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(PixelBlocks, DoubtGrowsWithTheDifferenceOfTheSurround)
+{
+  Random random = randomOfTest();
+  FitPixel pixel;
+  const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., 0., side);
+  const CameraModel camera(scene.camera());
+  pixel.model = {camera.toMeter(Eigen::Vector2d(75., 75.)), camera.meterPerPixel(Eigen::Vector2d(75., 75.))};
+  const MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
+  Photometry photometry;
+  photometry.light = 200.;
+  const auto varianceOf = [&](double share, double beyond, double spread) {
+    pixel.surround = share;
+    pixel.beyond = beyond;
+    pixel.beyondSpread = spread;
+    PixelBlocks blocks;
+    packPixels({pixel}, scene.plane(), pattern, photometry, 2., blocks);
+    return static_cast<double>(blocks.bySight[0][0].variance[0]);
+  };
+  EXPECT_EQ(varianceOf(0., 50., 1.), 0.);   // sees nothing of it
+  EXPECT_EQ(varianceOf(0.5, 200., 2.), 0.); // white paper goes on; the spread is that of the noise
+  EXPECT_GT(varianceOf(0.5, 100., 2.), 100.);
+  EXPECT_NEAR(varianceOf(0.5, 50., 2.) / varianceOf(0.5, 125., 2.), 4., 1e-3);
+  EXPECT_NEAR(varianceOf(0.4, 50., 2.) / varianceOf(0.2, 50., 2.), 4., 1e-3);
+  EXPECT_GT(varianceOf(0.5, 200., 30.), 100.);                         // texture
+  EXPECT_GT(varianceOf(0.5, 0., HUGE_VAL), varianceOf(0.5, 100., 2.)); // the image ends there: anything is possible
+}

@@ -1,0 +1,75 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What lies beyond a marker's quiet zone.
+ */
+
+#include "testRoomTools.h"
+
+#include "refine/surround.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr unsigned int side = 120;
+} // namespace
+
+TEST(Surround, DirectionsGoAroundOnce)
+{
+  for (unsigned int k = 0; k < Surround::directions; ++k) {
+    const double angle = 2. * M_PI * k / Surround::directions;
+    for (const double off : {-0.4, 0., 0.4}) {
+      const double a = angle + off * 2. * M_PI / Surround::directions;
+      EXPECT_EQ(Surround::directionOf(3. * Eigen::Vector2d(std::cos(a), std::sin(a))), k);
+    }
+  }
+}
+
+TEST(Surround, SeesWhereThePaperEnds)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 10; ++i) {
+    MarkerScene scene =
+        markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., uniform(random, 0., 0.8), side);
+    const vpImage<unsigned char> I = photograph(side, side, 0.7, scene);
+    const Surround surround = surroundOf(I, CameraModel(scene.camera()), scene.plane(), 1. + 1. / 6., 0.8);
+    for (unsigned int k = 0; k < Surround::directions; ++k) {
+      const double angle = 2. * M_PI * k / Surround::directions;
+      const double alongSide = std::max(std::fabs(std::cos(angle)), std::fabs(std::sin(angle)));
+      if (alongSide > 0.995) { // toward a side of the square sheet, which ends at the quiet zone's end
+        EXPECT_NEAR(surround.grey[k], scene.surround, 12.) << k;
+      }
+      else if (alongSide < 0.75) { // toward a corner, where it goes on
+        EXPECT_NEAR(surround.grey[k], scene.white, 2.) << k;
+        EXPECT_LT(surround.spread[k], 2.) << k;
+      }
+    }
+  }
+}
+
+TEST(Surround, BeyondTheImageNothingIsKnown)
+{
+  Random random = randomOfTest();
+  MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., 0., side);
+  scene.center.x() -= (side / 2. - 32.) * scene.center.z() / scene.focal; // its left quiet zone is at the image's edge
+  const Surround surround =
+      surroundOf(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), scene.plane(), 1. + 1. / 6., 0.8);
+  unsigned int unknown = 0;
+  for (const float spread : surround.spread) {
+    unknown += std::isinf(spread);
+  }
+  EXPECT_GT(unknown, 3u);
+  EXPECT_LT(unknown, Surround::directions / 2);
+}
