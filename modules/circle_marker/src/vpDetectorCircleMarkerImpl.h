@@ -73,7 +73,7 @@ private:
   /*! Working memory of one thread. */
   struct Bench
   {
-    std::vector<Eigen::Vector2d> meters;         //!< Points of an outline.
+    std::vector<Eigen::Vector2d> meters;    //!< Points of an outline.
     circle_marker::MeasureMemory measuring; //!< Of the refinement.
   };
 
