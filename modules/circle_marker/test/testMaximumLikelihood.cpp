@@ -165,9 +165,8 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       EXPECT_NEAR(fit->photometry.light, light.level, 1e-3);
       EXPECT_NEAR(fit->photometry.contrast, light.contrast, 1e-5);
       EXPECT_LT((fit->photometry.lightGradient - light.gradient).norm(), 1e-3);
-      // A tenth of what the noise of rounding alone, the least that is assumed, leaves uncertain.
-      EXPECT_NEAR(fit->photometry.blur.sigma, blur.sigma, 1e-4);
-      EXPECT_NEAR(fit->photometry.blur.growth, 0., 1e-4);
+      EXPECT_NEAR(fit->photometry.blur.sigma, blur.sigma, 1e-5);
+      EXPECT_NEAR(fit->photometry.blur.growth, 0., 1e-5);
       EXPECT_GT(fit->correlation, 0.999999);
       EXPECT_GT(fit->inliers, 0.99);
     }
