@@ -17,8 +17,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -205,6 +207,8 @@ TEST(ParallelWork, PassesOnWhatAWorkerThrows)
       if (item == 3) {
         throw std::runtime_error("three");
       }
+      // Items of no length would all be done before the first thread has thrown.
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
       ++done;
     };
   };
