@@ -25,6 +25,7 @@
 #include "pose/hypotheses.h"
 #include "refine/measure.h"
 #include "refine/report.h"
+#include "support/debug_record.h"
 
 BEGIN_VISP_NAMESPACE
 
@@ -53,16 +54,6 @@ vpCameraParameters nominalCamera(const vpImage<unsigned char> &I)
   return vpCameraParameters(focal, focal, 0.5 * (I.getWidth() - 1.), 0.5 * (I.getHeight() - 1.));
 }
 
-// What the markers of the families have in their centre.
-SoughtCenters soughtCenters(const std::vector<vpCircleMarkerFamily> &families)
-{
-  const auto isDisc = [](const vpCircleMarkerFamily &family) { return family.getType() == vpCircleMarkerFamily::DISC; };
-  SoughtCenters sought;
-  sought.dark = std::any_of(families.begin(), families.end(), isDisc);
-  sought.bright = !std::all_of(families.begin(), families.end(), isDisc);
-  return sought;
-}
-
 // The image fixes the poses up to the size: everything scales with it.
 void scaleTo(double size, PosePair &poses)
 {
@@ -80,15 +71,15 @@ void scaleTo(double size, PosePair &poses)
 void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
                                           const Deadline &deadline)
 {
-  found.clear();
-  detections.clear();
-  image.resize(I.getHeight(), I.getWidth()); // the assignment of images would allocate each time
-  std::copy(I.bitmap, I.bitmap + I.getSize(), image.bitmap);
   m_workers.setCount(settings.threads);
   m_benches.resize(m_workers.getCount());
-  findOutlines(image, soughtCenters(settings.families), m_workers, deadline, m_outlines);
-  outlineCount = static_cast<unsigned int>(m_outlines.full.ellipses.known.outlines.size());
-  examineAll(size, CameraModel(cam), deadline);
+  const CameraModel camera(cam);
+  const Visit visit = {I, size, camera, deadline};
+  if (!searchRegions(visit)) {
+    searchWhole(visit);
+  }
+  found.clear();
+  detections.clear();
   for (Examination &examination : m_examinations) {
     if (examination.found) {
       detections.push_back(examination.found->detection);
@@ -96,19 +87,49 @@ void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, doubl
       examination.found.reset();
     }
   }
+  keepSurroundings(I);
 }
 
-/*!
-  The outlines through the rooms after them, from the largest to the smallest: read, chosen, measured. An outline that
+/*! What the markers of the families have in their centre. */
+SoughtCenters vpDetectorCircleMarker::Impl::soughtCenters() const
+{
+  const auto isDisc = [](const vpCircleMarkerFamily &family) { return family.getType() == vpCircleMarkerFamily::DISC; };
+  SoughtCenters sought;
+  sought.dark = std::any_of(settings.families.begin(), settings.families.end(), isDisc);
+  sought.bright = !std::all_of(settings.families.begin(), settings.families.end(), isDisc);
+  return sought;
+}
+
+/*! Looks for markers in the whole image. */
+void vpDetectorCircleMarker::Impl::searchWhole(const Visit &visit)
+{
+  const vpImage<unsigned char> &I = visit.I;
+  m_outlines.keepsRefusals(keepsDebug);
+  const Outlines &outlines = findOutlines(I, soughtCenters(), m_workers, visit.deadline, m_outlines);
+  outlineCount = static_cast<unsigned int>(outlines.size());
+  searched.assign(1, vpRect(0., 0., I.getWidth(), I.getHeight()));
+  debug = vpCircleMarkerDebug();
+  if (keepsDebug) {
+    recordOutlines(m_outlines, vpImagePoint(0., 0.), debug);
+  }
+  examineAll(visit, outlines);
+  if (settings.tracking) {
+    keepSeen(outlines);
+    m_tracks.follow(m_seen, static_cast<int>(I.getWidth()), static_cast<int>(I.getHeight()));
+    m_sinceWhole = 0;
+  }
+}
+
+/*! The outlines through the rooms after them, from the largest to the smallest: read, chosen, measured. An outline that
   is a piece of a chosen one, such as a sector of its code, waits; it gets its turn if that one turns out to be none.
 */
-void vpDetectorCircleMarker::Impl::examineAll(double size, const CameraModel &camera, const Deadline &deadline)
+void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines &outlines)
 {
-  const ReusedList<EllipseCandidate> &outlines = m_outlines.full.ellipses.known.outlines;
+  const Deadline &deadline = visit.deadline;
   const auto readOne = [&](std::size_t i, unsigned int worker) {
     Examination &examination = m_examinations[i];
     if (!examination.isRead && !deadline.hasPassed()) {
-      read(outlines[i], size, camera, m_benches[worker], examination);
+      read(visit, outlines[i], m_benches[worker], examination);
     }
   };
   m_examinations.assign(outlines.size(), Examination());
@@ -118,7 +139,7 @@ void vpDetectorCircleMarker::Impl::examineAll(double size, const CameraModel &ca
       m_workers.run(outlines.size(), readOne);
     }
     m_chosen.clear();
-    m_chosenPlaces.reset(static_cast<int>(image.getWidth()), static_cast<int>(image.getHeight()));
+    m_chosenPlaces.reset(static_cast<int>(visit.I.getWidth()), static_cast<int>(visit.I.getHeight()));
     for (std::size_t i = 0; i < outlines.size(); ++i) {
       Examination &examination = m_examinations[i];
       const bool isWaiting = !examination.isOver;
@@ -138,7 +159,7 @@ void vpDetectorCircleMarker::Impl::examineAll(double size, const CameraModel &ca
     m_workers.run(m_chosen.size(), [&](std::size_t k, unsigned int worker) {
       Examination &examination = m_examinations[m_chosen[k]];
       if (!deadline.hasPassed()) {
-        examination.found = measureMarker(outlines[m_chosen[k]], *examination.marker, camera, m_benches[worker]);
+        examination.found = measureMarker(visit, outlines[m_chosen[k]], *examination.marker, m_benches[worker]);
       }
     });
     isOver = deadline.hasPassed();
@@ -146,6 +167,10 @@ void vpDetectorCircleMarker::Impl::examineAll(double size, const CameraModel &ca
     for (const std::size_t i : m_chosen) {
       Examination &examination = m_examinations[i];
       examination.isOver = examination.found || examination.family == settings.families.size();
+      if (!examination.candidates.empty() && !examination.found) {
+        examination.candidates.back().reason =
+            isOver ? vpCircleMarkerReject::TIMEOUT : vpCircleMarkerReject::UNLIKE_THE_MODEL;
+      }
       if (!examination.found) { // it may be of the next family, and what lies inside of it has its turn
         examination.marker.reset();
         examination.isRead = false;
@@ -154,16 +179,31 @@ void vpDetectorCircleMarker::Impl::examineAll(double size, const CameraModel &ca
     }
     isOver = isOver || !someAreNone;
   }
+  if (keepsDebug) {
+    keepCandidates(outlines);
+  }
 }
 
 /*! One outline through the rooms pose and decode: the first of the families that remain and that it looks like. */
-void vpDetectorCircleMarker::Impl::read(const EllipseCandidate &outline, double size, const CameraModel &camera,
-                                        Bench &bench, Examination &examination) const
+void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandidate &outline, Bench &bench,
+                                        Examination &examination) const
 {
-  const auto poses = posesFromOutline(outline.points, camera, 0.5 * size, bench.meters);
+  const auto poses = posesFromOutline(outline.points, visit.camera, 0.5 * visit.size, bench.meters);
+  if (!poses && keepsDebug) {
+    examination.candidates.push_back(candidateOf(outline, settings.families.front(), vpCircleMarkerReject::NO_POSE));
+  }
   while (poses && !examination.marker && examination.family < settings.families.size()) {
     const vpCircleMarkerFamily &family = settings.families[examination.family++];
-    examination.marker = recognise(image, camera, *poses, outline, family, settings.decode);
+    ReadingTrace trace;
+    Judged<Recognition> marker =
+        recognise(visit.I, visit.camera, *poses, outline, family, settings.decode, keepsDebug ? &trace : nullptr);
+    if (keepsDebug) {
+      examination.candidates.push_back(candidateOf(outline, family, marker.reason()));
+      addReading(trace, family, visit.camera, examination.candidates.back());
+    }
+    if (marker) {
+      examination.marker = std::move(*marker);
+    }
   }
   if (examination.marker) {
     const auto known = settings.sizes.find(examination.marker->code.id);
@@ -177,15 +217,36 @@ void vpDetectorCircleMarker::Impl::read(const EllipseCandidate &outline, double 
 
 /*! A marker through the room refine. */
 std::optional<vpDetectorCircleMarker::Impl::Found>
-vpDetectorCircleMarker::Impl::measureMarker(const EllipseCandidate &outline, const Recognition &marker,
-                                            const CameraModel &camera, Bench &bench) const
+vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline,
+                                            const Recognition &marker, Bench &bench) const
 {
-  const auto measurement = measure(image, camera, marker, settings.refinePose, bench.measuring);
+  const auto measurement = measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring);
   if (!measurement) {
     return std::nullopt;
   }
-  return Found{reportOf(marker, *measurement, camera, outline.support, settings.zAlignedWithCameraAxis), marker,
-               outline, outlineOf(measurement->first.plane, camera, polygonPoints)};
+  return Found{reportOf(marker, *measurement, visit.camera, outline.support, settings.zAlignedWithCameraAxis), marker,
+               outline, outlineOf(measurement->first.plane, visit.camera, polygonPoints)};
+}
+
+/*!
+  Keeps what getPose() looks at of the image: its markers and what surrounds them. A copy of the whole takes as long as
+  a tenth of the search.
+*/
+void vpDetectorCircleMarker::Impl::keepSurroundings(const vpImage<unsigned char> &I)
+{
+  constexpr double shareOfRadius = 0.5; // the quiet zone has a sixth
+  constexpr double leastMargin = 32.;   // pixels: the widest blur the refinement knows, and interpolation
+  const int width = static_cast<int>(I.getWidth());
+  const int height = static_cast<int>(I.getHeight());
+  image.resize(I.getHeight(), I.getWidth()); // the assignment of images would allocate each time
+  for (const Found &marker : found) {
+    const EllipseParameters &outline = marker.outline.ellipse;
+    const PixelBox box = boxAround(outline, shareOfRadius * outline.a + leastMargin, width, height);
+    for (int y = box.top; y < box.bottom; ++y) {
+      const unsigned char *row = I[static_cast<unsigned int>(y)];
+      std::copy(row + box.left, row + box.right, image[static_cast<unsigned int>(y)] + box.left);
+    }
+  }
 }
 
 /*! The pose of a marker for another size or camera, from its outline and the image it was found in. */

@@ -133,6 +133,7 @@ std::vector<float> vpDetectorCircleMarker::getTagsDecisionMargin() const
 void vpDetectorCircleMarker::setFamily(const vpCircleMarkerFamily &family)
 {
   m_impl->settings.families = {family};
+  m_impl->forgetTracks();
 }
 
 /*!
@@ -146,6 +147,7 @@ void vpDetectorCircleMarker::setFamilies(const std::vector<vpCircleMarkerFamily>
     throw vpException(vpException::badValue, "vpDetectorCircleMarker: at least one family must be looked for");
   }
   m_impl->settings.families = families;
+  m_impl->forgetTracks();
 }
 
 /*!
@@ -222,7 +224,8 @@ void vpDetectorCircleMarker::setZAlignedWithCameraAxis(bool aligned)
 
 /*!
   Reads settings from a JSON file; those it does not name stay as they are. Keys: families (list of names), sizes
-  (id to metres), maximumHammingDistance, minimumMargin, refinePose, zAlignedWithCameraAxis, threads.
+  (id to metres), maximumHammingDistance, minimumMargin, refinePose, zAlignedWithCameraAxis, threads,
+  tracking, fullSearchPeriod.
 
   \param filename : Its path.
   \exception vpException::ioError : If it cannot be read.
@@ -236,6 +239,7 @@ void vpDetectorCircleMarker::loadConfigFile(const std::string &filename)
   setMarkerSizes(settings.sizes);
   setMinimumMargin(settings.decode.minimumMargin);
   setNbThreads(settings.threads);
+  setTracking(settings.tracking, settings.fullSearchPeriod);
   m_impl->settings = settings;
 }
 

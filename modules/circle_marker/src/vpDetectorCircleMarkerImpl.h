@@ -22,6 +22,7 @@
 #include <vector>
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
+#include <visp3/core/vpRect.h>
 
 #include "decode/marker_places.h"
 #include "decode/recognise.h"
@@ -29,6 +30,7 @@
 #include "refine/measure.h"
 #include "support/detector_settings.h"
 #include "support/workers.h"
+#include "track/marker_tracks.h"
 
 BEGIN_VISP_NAMESPACE
 
@@ -51,14 +53,19 @@ public:
 
   const Found &at(std::size_t index) const;
 
+  void forgetTracks();
+
   circle_marker::DetectorSettings settings;        //!< All that a user can set.
   bool displayTag = false;                         //!< Whether detect() draws.
   vpColor displayColor = vpColor::none;            //!< In which colour.
   unsigned int displayThickness = 2;               //!< Pixels.
   std::vector<Found> found;                        //!< Markers of the last image.
   std::vector<vpCircleMarkerDetection> detections; //!< The same, as the user sees them.
-  vpImage<unsigned char> image;                    //!< The last image, for getPose().
+  vpImage<unsigned char> image;                    //!< The last image around its markers, for getPose().
   unsigned int outlineCount = 0;                   //!< Outlines of the last image that were looked at.
+  std::vector<vpRect> searched;                    //!< Where the last image was searched.
+  bool keepsDebug = false;                         //!< Whether what the rooms see is kept.
+  vpCircleMarkerDebug debug;                       //!< What they saw in the last image.
 
 private:
   /*! How far an outline has come. */
@@ -69,6 +76,7 @@ private:
     bool isOver = false;                              //!< Whether it is found, or is none.
     std::optional<circle_marker::Recognition> marker; //!< What it was read as.
     std::optional<Found> found;                       //!< What was measured of it.
+    std::vector<vpCircleMarkerCandidate> candidates;  //!< What it was tried as, if that is to be shown.
   };
   /*! Working memory of one thread. */
   struct Bench
@@ -77,19 +85,42 @@ private:
     circle_marker::MeasureMemory measuring; //!< Of the refinement.
   };
 
-  void examineAll(double size, const circle_marker::CameraModel &camera, const circle_marker::Deadline &deadline);
-  void read(const circle_marker::EllipseCandidate &outline, double size, const circle_marker::CameraModel &camera,
-            Bench &bench, Examination &examination) const;
-  std::optional<Found> measureMarker(const circle_marker::EllipseCandidate &outline,
-                                     const circle_marker::Recognition &marker, const circle_marker::CameraModel &camera,
-                                     Bench &bench) const;
+  using Outlines = circle_marker::ReusedList<circle_marker::EllipseCandidate>;
 
-  circle_marker::OutlineMemory m_outlines;    //!< Memory of the rooms up to the outlines.
-  circle_marker::Workers m_workers;           //!< Threads.
-  std::vector<Bench> m_benches;               //!< One for each thread.
-  std::vector<Examination> m_examinations;    //!< One for each outline.
-  std::vector<std::size_t> m_chosen;          //!< Outlines to be measured together.
-  circle_marker::MarkerPlaces m_chosenPlaces; //!< Where they are.
+  /*! One image on its way through the rooms. */
+  struct Visit
+  {
+    const vpImage<unsigned char> &I;
+    double size; //!< Of the markers, metres.
+    const circle_marker::CameraModel &camera;
+    const circle_marker::Deadline &deadline;
+  };
+
+  circle_marker::SoughtCenters soughtCenters() const;
+  bool searchRegions(const Visit &visit);
+  void searchWhole(const Visit &visit);
+  void searchRegion(const Visit &visit, const circle_marker::PixelBox &box);
+  void examineAll(const Visit &visit, const Outlines &outlines);
+  void read(const Visit &visit, const circle_marker::EllipseCandidate &outline, Bench &bench,
+            Examination &examination) const;
+  std::optional<Found> measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
+                                     const circle_marker::Recognition &marker, Bench &bench) const;
+  void keepSeen(const Outlines &outlines);
+  void keepCandidates(const Outlines &outlines);
+  void keepSurroundings(const vpImage<unsigned char> &I);
+
+  circle_marker::OutlineMemory m_outlines;       //!< Memory of the rooms up to the outlines.
+  circle_marker::OutlineMemory m_regions;        //!< The same for regions of images.
+  vpImage<unsigned char> m_region;               //!< A region of the image.
+  Outlines m_regionOutlines;                     //!< Outlines of all regions.
+  circle_marker::MarkerTracks m_tracks;          //!< Markers of the last images.
+  unsigned int m_sinceWhole = 0;                 //!< Images since a whole one was searched.
+  std::vector<circle_marker::SeenMarker> m_seen; //!< Markers of the last image.
+  circle_marker::Workers m_workers;              //!< Threads.
+  std::vector<Bench> m_benches;                  //!< One for each thread.
+  std::vector<Examination> m_examinations;       //!< One for each outline.
+  std::vector<std::size_t> m_chosen;             //!< Outlines to be measured together.
+  circle_marker::MarkerPlaces m_chosenPlaces;    //!< Where they are.
 };
 
 END_VISP_NAMESPACE

@@ -26,13 +26,13 @@ namespace {
 const vpCircleMarkerFamily::vpType codedFamilies[] = {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31,
                                                       vpCircleMarkerFamily::BCH31R};
 
-std::optional<CodeReading> readMarker(const vpImage<unsigned char> &I, const MarkerScene &scene, double spin,
-                                      const DecodeSettings &settings = DecodeSettings())
+Judged<CodeReading> readMarker(const vpImage<unsigned char> &I, const MarkerScene &scene, double spin,
+                               const DecodeSettings &settings = DecodeSettings())
 {
   MarkerPlane plane = scene.plane();
   plane.spin(-spin); // its x axis lies `spin` before the marker's own
   const auto sectors = readSectors(I, CameraModel(scene.camera()), plane, scene.family);
-  return sectors ? identify(*sectors, scene.family, settings) : std::nullopt;
+  return sectors ? identify(*sectors, scene.family, settings) : Judged<CodeReading>(sectors.reason());
 }
 
 //! A reading of a word with all sectors clear, as if the phase were known.

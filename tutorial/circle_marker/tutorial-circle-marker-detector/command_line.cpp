@@ -56,6 +56,10 @@ Request parseCommandLine(int argc, const char *const argv[])
   options.addTo(app);
   app.add_option("--json", order.json, "File for the results; the standard output unless told");
   app.add_option("--overlay", order.overlay, "Pictures with what was found: a name, for sequences with a number, %04d");
+  app.add_option("--debug", order.debug,
+                 "Folder for pictures of what each room of the detector saw, with the reasons of what it refused, and "
+                 "tables of them; cpu_ms is then longer")
+      ->check(CLI::ExistingDirectory);
   app.add_flag("--display-off", displayOff, "Open no window; in the window a click goes on, a right click quits");
   app.footer("Lines have \"image\", \"width\", \"height\", \"cpu_ms\" (time of the process for detection and pose) and "
              "\"markers\".\nA frame of a video is named video.mp4#12. An image that cannot be read is reported and has "

@@ -36,6 +36,7 @@ struct Order
   DetectorSettings detector; //!< What to look for.
   std::string json;          //!< File for the results; empty: standard output.
   std::string overlay;       //!< File, or pattern of files, for pictures; empty: none.
+  std::string debug;         //!< Folder for pictures of what each room saw; empty: none.
   bool display = true;       //!< Whether to open a window.
 };
 

@@ -21,6 +21,7 @@
 */
 
 #include <exception>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -33,6 +34,7 @@
 #include <visp3/io/vpImageIo.h>
 
 #include "../common/camera_file.h"
+#include "../common/detection/debug_overlay.h"
 #include "../common/detection/image_source.h"
 #include "../common/detection/json_line.h"
 #include "../common/detection/marker_overlay.h"
@@ -79,6 +81,7 @@ public:
     if (!order.overlay.empty() && !m_overlayName && m_source->size() > 1) {
       throw UsageError("--overlay names one picture for many images; use a number in the name, overlay-%04d.png");
     }
+    m_detector.setDebug(!order.debug.empty());
     if (order.display) {
       m_window.emplace("Circular markers", 10, 10);
     }
@@ -119,6 +122,7 @@ private:
       const ImageResult result = detectMarkers(m_detector, source, m_order.detector.size, cam);
       keep(jsonLine(result));
       showOverlay(source, result, cam);
+      writeRooms(source, cam);
     }
     catch (const vpException &e) {
       m_allUsed = false;
@@ -168,6 +172,21 @@ private:
       showInWindow(picture);
     }
   }
+
+  //! [Debug]
+  void writeRooms(const SourceImage &source, const vpCameraParameters &cam)
+  {
+    if (m_order.debug.empty()) {
+      return;
+    }
+    std::ostringstream start;
+    start << m_order.debug << "/" << std::setw(4) << std::setfill('0') << source.number << "-";
+    for (const RoomPicture &room : roomPictures(*source.image, m_detector, cam)) {
+      writeOverlay(start.str() + room.name + ".png", room.picture);
+    }
+    writeWholeText(start.str() + "candidates.csv", candidateTable(m_detector.getDebug()));
+  }
+  //! [Debug]
 
   void writeOverlay(const std::string &path, const vpImage<vpRGBa> &picture)
   {

@@ -44,11 +44,11 @@ double agreement(const SectorReading &reading, CyclicCode::Word codeword)
 }
 } // namespace
 
-std::optional<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerFamily &family,
-                                    const DecodeSettings &settings)
+Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerFamily &family,
+                             const DecodeSettings &settings)
 {
   if (reading.contrast < leastContrast || reading.residual > mostResidual * reading.contrast) {
-    return std::nullopt;
+    return vpCircleMarkerReject::NO_SECTORS;
   }
   CyclicCode::Word word = 0;
   for (unsigned int k = 0; k < reading.sectors; ++k) {
@@ -57,11 +57,11 @@ std::optional<CodeReading> identify(const SectorReading &reading, const vpCircle
   const CyclicCode &code = codeOf(family);
   const auto codeword = code.correct(word, settings.maximumHamming);
   if (!codeword) {
-    return std::nullopt;
+    return vpCircleMarkerReject::NO_CODEWORD;
   }
   const auto identity = code.identify(*codeword);
   if (!identity) {
-    return std::nullopt;
+    return vpCircleMarkerReject::NO_CODEWORD;
   }
   CodeReading result;
   result.id = identity->id;
@@ -70,7 +70,7 @@ std::optional<CodeReading> identify(const SectorReading &reading, const vpCircle
   result.spin = reading.phase + 2. * M_PI * identity->rotation / reading.sectors;
   const double corrected = static_cast<double>(result.hamming) / code.getCapacity();
   if (result.margin < settings.minimumMargin + marginOfCapacity * corrected) {
-    return std::nullopt;
+    return {vpCircleMarkerReject::LOW_MARGIN, result};
   }
   return result;
 }

@@ -18,8 +18,6 @@
 #ifndef VP_CIRCLE_MARKER_IDENTIFY_H
 #define VP_CIRCLE_MARKER_IDENTIFY_H
 
-#include <optional>
-
 #include "decode/sector_reading.h"
 
 BEGIN_VISP_NAMESPACE
@@ -40,9 +38,9 @@ struct CodeReading
   double spin = 0.;         //!< Angle from the plane's x axis to the marker's own, rad, positive toward y.
 };
 
-/*! The marker whose code is nearest to a reading; nothing if none is near enough, or the reading is no code. */
-std::optional<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerFamily &family,
-                                    const DecodeSettings &settings);
+/*! The marker whose code is nearest to a reading, or NO_SECTORS, NO_CODEWORD, or LOW_MARGIN with what was refused. */
+Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerFamily &family,
+                             const DecodeSettings &settings);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -49,20 +49,34 @@ void copySpin(const MarkerPlane &from, MarkerPlane &to)
   to.spin(std::atan2(onTo.y(), onTo.x()));
 }
 
-std::optional<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                         const PosePair &poses, const vpCircleMarkerFamily &family,
-                                         const DecodeSettings &settings)
+// Whether the second of two readings came farther than the first.
+bool isFarther(const Judged<CodeReading> &first, const Judged<CodeReading> &second)
 {
-  std::array<std::optional<CodeReading>, 2> codes;
+  if (first && second) {
+    return second->margin > first->margin;
+  }
+  return second || (!first && second.reason() > first.reason());
+}
+
+Judged<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
+                                  const vpCircleMarkerFamily &family, const DecodeSettings &settings,
+                                  ReadingTrace *trace)
+{
+  const std::array<Judged<SectorReading>, 2> sectors = {readSectors(I, camera, poses[0], family),
+                                                        readSectors(I, camera, poses[1], family)};
+  std::array<Judged<CodeReading>, 2> codes = {sectors[0].reason(), sectors[1].reason()};
   for (std::size_t i = 0; i < 2; ++i) {
-    if (const auto sectors = readSectors(I, camera, poses[i], family)) {
-      codes[i] = identify(*sectors, family, settings);
+    if (sectors[i]) {
+      codes[i] = identify(*sectors[i], family, settings);
     }
   }
-  if (!codes[0] && !codes[1]) {
-    return std::nullopt;
+  const std::size_t best = isFarther(codes[0], codes[1]) ? 1 : 0;
+  if (trace != nullptr) {
+    *trace = {poses[best], sectors[best].seen(), codes[best].seen()};
   }
-  const std::size_t best = !codes[1] || (codes[0] && codes[0]->margin >= codes[1]->margin) ? 0 : 1;
+  if (!codes[best]) {
+    return codes[best].reason();
+  }
   const std::size_t other = 1 - best;
   Recognition result;
   result.family = family;
@@ -79,22 +93,27 @@ std::optional<Recognition> recogniseCode(const vpImage<unsigned char> &I, const 
   return result;
 }
 
-std::optional<Recognition> recogniseShape(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                          const PosePair &poses, const EllipseCandidate &outline,
-                                          const vpCircleMarkerFamily &family)
+Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
+                                   const EllipseCandidate &outline, const vpCircleMarkerFamily &family)
 {
   const bool isSmallRing = family.getType() == vpCircleMarkerFamily::RING && outline.ellipse.b < leastRingSemiMinor;
-  if (outline.support < leastSupport || isSmallRing) {
-    return std::nullopt;
+  if (outline.support < leastSupport) {
+    return vpCircleMarkerReject::LITTLE_SUPPORT;
+  }
+  if (isSmallRing) {
+    return vpCircleMarkerReject::TOO_SMALL;
   }
   const auto profile = radialProfile(I, camera, poses[0]);
   if (!profile) {
-    return std::nullopt;
+    return vpCircleMarkerReject::OUT_OF_IMAGE;
   }
   const auto inner = innerRadius(*profile, shareOfContrast * outline.contrast);
   const bool isDisc = inner && *inner == 0.;
-  if (!inner || isDisc != (family.getType() == vpCircleMarkerFamily::DISC)) {
-    return std::nullopt;
+  if (!inner) {
+    return vpCircleMarkerReject::NO_RING;
+  }
+  if (isDisc != (family.getType() == vpCircleMarkerFamily::DISC)) {
+    return vpCircleMarkerReject::OTHER_SHAPE;
   }
   Recognition result;
   result.family = family;
@@ -103,16 +122,16 @@ std::optional<Recognition> recogniseShape(const vpImage<unsigned char> &I, const
   const double slack = sameRatio + sameRatioPixels / outline.ellipse.b;
   result.ringInner = std::abs(*inner - nominal) < slack ? nominal : *inner;
   if (!hasShapeAllAround(I, camera, poses[0], family.getLayout(), result.ringInner)) {
-    return std::nullopt;
+    return vpCircleMarkerReject::NOT_ALL_AROUND;
   }
   result.poses = poses;
   return result;
 }
 } // namespace
 
-std::optional<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
-                                     const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
-                                     const DecodeSettings &settings)
+Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
+                              const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
+                              const DecodeSettings &settings, ReadingTrace *trace)
 {
   if (!family.isCoded()) {
     return recogniseShape(I, camera, poses, outline, family);
@@ -121,9 +140,9 @@ std::optional<Recognition> recognise(const vpImage<unsigned char> &I, const Came
   const double trackPixels = M_PI * outline.ellipse.a * outline.ellipse.b *
                              (layout.codeOuter * layout.codeOuter - layout.codeInner * layout.codeInner);
   if (outline.ellipse.b < leastCodeSemiMinor || trackPixels < leastSectorPixels * family.getNbSectors()) {
-    return std::nullopt;
+    return vpCircleMarkerReject::TOO_SMALL;
   }
-  return recogniseCode(I, camera, poses, family, settings);
+  return recogniseCode(I, camera, poses, family, settings, trace);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -35,6 +35,14 @@ struct Recognition
   PosePair poses;
 };
 
+/*! What was read on the way to a code, to be shown: of the pose under which it came farther. */
+struct ReadingTrace
+{
+  MarkerPlane plane;                    //!< The pose.
+  std::optional<SectorReading> sectors; //!< Nothing if the track was not read.
+  std::optional<CodeReading> code;      //!< The nearest codeword, accepted or not; nothing without one.
+};
+
 /*!
   Tells whether an outline with two possible poses is a marker of a family, and which.
   \param I : The image.
@@ -43,10 +51,12 @@ struct Recognition
   \param outline : The outline.
   \param family : The family.
   \param settings : How strictly a code is read.
+  \param trace : If not null, what was read on the way.
+  \return The marker, or the reason of the pose under which it came farther.
 */
-std::optional<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
-                                     const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
-                                     const DecodeSettings &settings);
+Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
+                              const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
+                              const DecodeSettings &settings, ReadingTrace *trace = nullptr);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

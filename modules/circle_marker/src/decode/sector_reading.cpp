@@ -67,9 +67,9 @@ std::optional<double> sampleAt(const vpImage<unsigned char> &I, const CameraMode
   return bilinear(I, camera.toPixel(plane.project(Eigen::Vector2d(radius * c, radius * s))));
 }
 
-// Whether a few samples agree with a black ring between white and white: what most outlines in clutter fail.
-bool hasRing(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-             const vpCircleMarkerLayout &layout)
+// A few samples that have to agree with a black ring between white and white: what most outlines in clutter fail.
+vpCircleMarkerReject judgeRing(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                               const vpCircleMarkerLayout &layout)
 {
   constexpr int directions = 16;
   double white = 0.;
@@ -81,17 +81,18 @@ bool hasRing(const vpImage<unsigned char> &I, const CameraModel &camera, const M
     const auto outside = sampleAt(I, camera, plane, 1. + whiteOfQuietZone * layout.quietZone, c, s);
     const auto ring = sampleAt(I, camera, plane, 0.5 * (1. + layout.ringInner), c, s);
     if (!outside || !ring) {
-      return false;
+      return vpCircleMarkerReject::OUT_OF_IMAGE;
     }
     white += *outside / directions;
     black += *ring / directions;
   }
   const auto center = bilinear(I, camera.toPixel(plane.project(Eigen::Vector2d::Zero())));
-  return white - black >= leastContrast && center && *center - black >= leastCenter * (white - black);
+  const bool isRing = white - black >= leastContrast && center && *center - black >= leastCenter * (white - black);
+  return isRing ? vpCircleMarkerReject::NONE : vpCircleMarkerReject::NO_RING;
 }
 
-std::optional<Track> sampleTrack(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                                 const vpCircleMarkerFamily &family)
+Judged<Track> sampleTrack(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                          const vpCircleMarkerFamily &family)
 {
   const vpCircleMarkerLayout &layout = family.getLayout();
   const double width = layout.codeOuter - layout.codeInner;
@@ -115,7 +116,7 @@ std::optional<Track> sampleTrack(const vpImage<unsigned char> &I, const CameraMo
     for (const double radius : radii) {
       const auto grey = sampleAt(I, camera, plane, radius, c, s);
       if (!grey) {
-        return std::nullopt;
+        return vpCircleMarkerReject::OUT_OF_IMAGE;
       }
       sum += *grey / 3.;
     }
@@ -123,7 +124,7 @@ std::optional<Track> sampleTrack(const vpImage<unsigned char> &I, const CameraMo
     const auto outside = sampleAt(I, camera, plane, whiteRadius, c, s);
     const auto ring = sampleAt(I, camera, plane, blackRadius, c, s);
     if (!outside || !ring) {
-      return std::nullopt;
+      return vpCircleMarkerReject::OUT_OF_IMAGE;
     }
     white += *outside;
     whiteCos += 2. * *outside * c;
@@ -143,7 +144,7 @@ std::optional<Track> sampleTrack(const vpImage<unsigned char> &I, const CameraMo
   whiteSin /= n * whiteRadius;
   black /= n;
   if (white - black < leastContrast) {
-    return std::nullopt;
+    return vpCircleMarkerReject::NO_RING;
   }
   for (unsigned int i = 0; i < track.samples; ++i) {
     const double angle = 2. * M_PI * (i + 0.5) / track.samples;
@@ -262,15 +263,16 @@ std::pair<double, double> splitInTwo(const SectorVector &greys)
 }
 } // namespace
 
-std::optional<SectorReading> readSectors(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                         const MarkerPlane &plane, const vpCircleMarkerFamily &family)
+Judged<SectorReading> readSectors(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                                  const vpCircleMarkerFamily &family)
 {
-  if (!hasRing(I, camera, plane, family.getLayout())) {
-    return std::nullopt;
+  const vpCircleMarkerReject ring = judgeRing(I, camera, plane, family.getLayout());
+  if (ring != vpCircleMarkerReject::NONE) {
+    return ring;
   }
-  const auto track = sampleTrack(I, camera, plane, family);
+  const Judged<Track> track = sampleTrack(I, camera, plane, family);
   if (!track) {
-    return std::nullopt;
+    return track.reason();
   }
   const unsigned int sectors = family.getNbSectors();
   SectorVector best;
@@ -292,7 +294,7 @@ std::optional<SectorReading> readSectors(const vpImage<unsigned char> &I, const 
   }
   const auto [middle, half] = splitInTwo(best);
   if (half <= 0.) {
-    return std::nullopt;
+    return vpCircleMarkerReject::NO_SECTORS;
   }
   reading.contrast = 2. * half;
   reading.residual = std::sqrt(leastSquares / track->samples);

@@ -19,10 +19,10 @@
 #define VP_CIRCLE_MARKER_SECTOR_READING_H
 
 #include <array>
-#include <optional>
 
 #include "pose/marker_plane.h"
 #include "support/camera_model.h"
+#include "support/judged.h"
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 #include <visp3/core/vpImage.h>
@@ -48,10 +48,10 @@ struct SectorReading
   The track is sampled along angles; the grey levels of the sectors are the least-squares solution of their mixture
   under the image blur, once for each of several phases of the sectors' grid, and the phase that leaves the least
   residual is kept.
-  \return Nothing if the marker reaches out of the image or shows no contrast.
+  \return The sectors, or OUT_OF_IMAGE, NO_RING (no contrast, or no white centre), NO_SECTORS (all of them alike).
 */
-std::optional<SectorReading> readSectors(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                         const MarkerPlane &plane, const vpCircleMarkerFamily &family);
+Judged<SectorReading> readSectors(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                                  const vpCircleMarkerFamily &family);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

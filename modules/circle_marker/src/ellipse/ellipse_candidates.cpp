@@ -83,13 +83,14 @@ int KnownOutlines::find(const EllipseParameters &ellipse) const
   return same;
 }
 
-void KnownOutlines::take(EllipseCandidate &candidate)
+bool KnownOutlines::take(EllipseCandidate &candidate)
 {
   int number = find(candidate.ellipse);
-  if (number >= 0) {
+  const bool isNew = number < 0;
+  if (!isNew) {
     EllipseCandidate &known = outlines[static_cast<std::size_t>(number)];
     if (candidate.support <= known.support) {
-      return;
+      return false;
     }
     std::swap(known, candidate);
   }
@@ -105,6 +106,7 @@ void KnownOutlines::take(EllipseCandidate &candidate)
   for (const EdgePoint &point : kept.points) {
     m_points.add(number, point.position.x(), point.position.y());
   }
+  return isNew;
 }
 
 bool KnownOutlines::liesOn(const EllipseCandidate &known, const EdgePoint *points, std::size_t count, double scale,
@@ -155,15 +157,40 @@ struct Search
     return other.known != nullptr && other.known->holds(points, count, other.scale, other.shift);
   }
 
+  // Notes why a run of points gives no outline, if that is to be shown.
+  void refuse(EllipseMemory::Bench &bench, std::size_t chain, const EdgePoint *points, std::size_t count,
+              EllipseReject reason, const EllipseParameters &ellipse = EllipseParameters()) const
+  {
+    if (memory.keepsRefusals) {
+      bench.refusals.push_back({chain, reason, ellipse, std::vector<EdgePoint>(points, points + count)});
+    }
+  }
+
+  // The same for a chain whose points were not located.
+  void refuse(EllipseMemory::Bench &bench, std::size_t chain, EllipseReject reason) const
+  {
+    if (memory.keepsRefusals) {
+      std::vector<EdgePoint> points;
+      for (std::size_t i = chains.chains[chain].begin; i < chains.chains[chain].end; ++i) {
+        const EdgePixel pixel = chains.pixels[i];
+        points.push_back({Eigen::Vector2d(pixel.x, pixel.y), Eigen::Vector2d::Zero()});
+      }
+      refuse(bench, chain, points.data(), points.size(), reason);
+    }
+  }
+
   // Proposes the outline of a run of points; whether there is one.
   bool propose(EllipseMemory::Bench &bench, std::size_t chain, const EdgePoint *points, std::size_t count,
                bool isWhole) const
   {
     EllipseMemory::Proposal &proposal = bench.proposals.append();
     proposal.chain = chain;
-    if (bench.fitter.fit(I, gradient, points, count, isWhole, sought, proposal.candidate) == EllipseReject::NONE) {
+    proposal.candidate.ellipse = EllipseParameters();
+    const EllipseReject reason = bench.fitter.fit(I, gradient, points, count, isWhole, sought, proposal.candidate);
+    if (reason == EllipseReject::NONE) {
       return true;
     }
+    refuse(bench, chain, points, count, reason, proposal.candidate.ellipse);
     bench.proposals.removeLast();
     return false;
   }
@@ -175,14 +202,14 @@ struct Search
     std::uint8_t &left = memory.left[index];
     left = 0;
     if (deadline.hasPassed()) {
-      return;
+      return refuse(bench, index, EllipseReject::TIMEOUT);
     }
     if (!chain.closed) {
       left = 1;
       return;
     }
     if (doubledPixelArea(chains, chain) <= 0) {
-      return;
+      return refuse(bench, index, EllipseReject::BRIGHT_INSIDE);
     }
     const std::size_t longest = longestOutline * (I.getWidth() + I.getHeight());
     if (chain.length() > longest) {
@@ -191,29 +218,41 @@ struct Search
     }
     bench.points.clear();
     locateChain(gradient, chains, chain, bench.points);
-    if (bench.points.size() < fewestPoints || isKnownElsewhere(bench.points.data(), bench.points.size())) {
-      return;
+    if (bench.points.size() < fewestPoints) {
+      return refuse(bench, index, EllipseReject::TOO_SHORT);
+    }
+    if (isKnownElsewhere(bench.points.data(), bench.points.size())) {
+      return refuse(bench, index, EllipseReject::KNOWN_OUTLINE);
     }
     left = propose(bench, index, bench.points.data(), bench.points.size(), true) ? 0 : 1;
   }
 
   void arcsOfChain(std::size_t index, EllipseMemory::Bench &bench) const
   {
-    if (memory.left[index] == 0 || deadline.hasPassed()) {
+    if (memory.left[index] == 0) {
       return;
     }
+    if (deadline.hasPassed()) {
+      return refuse(bench, index, EllipseReject::TIMEOUT);
+    }
     if (mostTurn(gradient, chains, chains.chains[index]) < leastArcTurn) {
-      return;
+      return refuse(bench, index, EllipseReject::LITTLE_BEND);
     }
     bench.points.clear();
     locateChain(gradient, chains, chains.chains[index], bench.points, deadline);
     cutConvexArcs(bench.points, bench.arcs, deadline);
+    if (bench.arcs.empty()) {
+      refuse(bench, index, bench.points.data(), bench.points.size(), EllipseReject::LITTLE_BEND);
+    }
     for (const auto &[begin, end] : bench.arcs) {
       const EdgePoint *points = bench.points.data() + begin;
       if (deadline.hasPassed()) {
-        return;
+        return refuse(bench, index, EllipseReject::TIMEOUT);
       }
-      if (!memory.known.holds(points, end - begin) && !isKnownElsewhere(points, end - begin)) {
+      if (memory.known.holds(points, end - begin) || isKnownElsewhere(points, end - begin)) {
+        refuse(bench, index, points, end - begin, EllipseReject::KNOWN_OUTLINE);
+      }
+      else {
         propose(bench, index, points, end - begin, false);
       }
     }
@@ -237,7 +276,11 @@ struct Search
       if (deadline.hasPassed()) {
         break;
       }
-      memory.known.take(proposal->candidate);
+      if (!memory.known.take(proposal->candidate)) {
+        const EllipseCandidate &dropped = proposal->candidate;
+        refuse(memory.benches.front(), proposal->chain, dropped.points.data(), dropped.points.size(),
+               EllipseReject::KNOWN_OUTLINE, dropped.ellipse);
+      }
     }
     for (EllipseMemory::Bench &bench : memory.benches) {
       bench.proposals.clear();
@@ -253,6 +296,9 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
   memory.benches.resize(std::max<std::size_t>(memory.benches.size(), workers.getCount()));
   memory.left.resize(chains.chains.size());
   memory.known.reset(gradient.width, gradient.height);
+  for (EllipseMemory::Bench &bench : memory.benches) {
+    bench.refusals.clear();
+  }
   const Search search = {I, gradient, chains, sought, other, deadline, memory};
   workers.run(chains.chains.size(),
               [&](std::size_t chain, unsigned int worker) { search.closedChain(chain, memory.benches[worker]); });

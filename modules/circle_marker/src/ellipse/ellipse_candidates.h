@@ -39,8 +39,11 @@ public:
   /*! Forgets all; the memory is kept. */
   void reset(int width, int height);
 
-  /*! Keeps an outline, whose memory is swapped in, or drops it: of two that are the same the better supported stays. */
-  void take(EllipseCandidate &candidate);
+  /*!
+    Keeps an outline, whose memory is swapped in, or drops it: of two that are the same the better supported stays.
+    \return Whether it was new; if not, \e candidate is what was dropped.
+  */
+  bool take(EllipseCandidate &candidate);
 
   /*! Whether an outline of these axes is known. */
   bool hasSame(const EllipseParameters &ellipse) const { return find(ellipse) >= 0; }
@@ -73,6 +76,14 @@ struct EllipseMemory
     std::size_t chain = 0; //!< Index of the chain.
     EllipseCandidate candidate;
   };
+  /*! A run of edge points that has given no outline. */
+  struct Refusal
+  {
+    std::size_t chain = 0; //!< Index of its chain.
+    EllipseReject reason = EllipseReject::NONE;
+    EllipseParameters ellipse; //!< a = 0 if there is none.
+    std::vector<EdgePoint> points;
+  };
   /*! Memory of one thread. */
   struct Bench
   {
@@ -80,11 +91,13 @@ struct EllipseMemory
     std::vector<EdgePoint> points;
     std::vector<std::pair<std::size_t, std::size_t>> arcs;
     ReusedList<Proposal> proposals;
+    std::vector<Refusal> refusals;
   };
   std::vector<Bench> benches;
   std::vector<std::uint8_t> left;    //!< One per chain: whether it is still to be cut into arcs.
   std::vector<Proposal *> proposals; //!< Of all benches, in the order of their chains.
   KnownOutlines known;
+  bool keepsRefusals = false; //!< Whether refusals are kept, to be shown.
 };
 
 /*! Outlines that are known at another scale, and where a position of this scale is there. */

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <visp3/circle_marker/vpCircleMarkerReject.h>
 #include <visp3/core/vpImage.h>
 
 #include "edges/edge_points.h"
@@ -29,17 +30,7 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*! Why a chain of edge points was not taken for the outline of a marker. */
-enum class EllipseReject
-{
-  NONE,            //!< It was taken.
-  TOO_SHORT,       //!< Too few edge points.
-  BRIGHT_INSIDE,   //!< The outline of something bright, or no outline at all.
-  NOT_AN_ELLIPSE,  //!< No ellipse fits, or its axes are out of bounds.
-  BAD_FIT,         //!< The points lie too far from the ellipse.
-  LITTLE_SUPPORT,  //!< Too small a part of the ellipse has an edge in the image.
-  NOT_DARK_INSIDE, //!< There is no dark band along the inside of the ellipse.
-  OTHER_CENTER     //!< Its centre is not as bright, or as dark, as that of the markers sought.
-};
+using EllipseReject = vpCircleMarkerReject;
 
 /*! What the markers that are sought have inside. */
 struct SoughtCenters

@@ -34,9 +34,10 @@ constexpr double leastHalfSemiMinor = 5.;
 constexpr int rowsAtOnce = 64;
 
 // The gradient of an image, its rows shared among the threads.
-void computeGradient(const vpImage<unsigned char> &I, Workers &workers, const Deadline &deadline, Gradient &gradient)
+void computeGradient(const vpImage<unsigned char> &I, NoiseSource noise, Workers &workers, const Deadline &deadline,
+                     Gradient &gradient)
 {
-  prepareGradient(I, gradient);
+  prepareGradient(I, gradient, noise);
   const int bands = (gradient.height + rowsAtOnce - 1) / rowsAtOnce;
   workers.run(static_cast<std::size_t>(bands), [&](std::size_t band, unsigned int) {
     const int first = static_cast<int>(band) * rowsAtOnce;
@@ -70,12 +71,18 @@ void halve(const vpImage<unsigned char> &I, vpImage<unsigned char> &half)
 constexpr double halfScale = 2.;
 constexpr double halfShift = 0.5;
 
+EllipseParameters enlarged(EllipseParameters ellipse)
+{
+  ellipse.center = halfScale * ellipse.center + Eigen::Vector2d(halfShift, halfShift);
+  ellipse.a *= halfScale;
+  ellipse.b *= halfScale;
+  return ellipse;
+}
+
 void enlarge(EllipseCandidate &outline)
 {
   const Eigen::Vector2d shift(halfShift, halfShift);
-  outline.ellipse.center = halfScale * outline.ellipse.center + shift;
-  outline.ellipse.a *= halfScale;
-  outline.ellipse.b *= halfScale;
+  outline.ellipse = enlarged(outline.ellipse);
   outline.conic = conicFromEllipse(outline.ellipse);
   for (EdgePoint &point : outline.points) {
     point.position = halfScale * point.position + shift;
@@ -84,18 +91,19 @@ void enlarge(EllipseCandidate &outline)
 } // namespace
 
 const ReusedList<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, const SoughtCenters &sought,
-                                                 Workers &workers, const Deadline &deadline, OutlineMemory &memory)
+                                                 Workers &workers, const Deadline &deadline, OutlineMemory &memory,
+                                                 NoiseSource noise)
 {
   OutlineMemory::Scale &full = memory.full;
   OutlineMemory::Scale &half = memory.half;
-  computeGradient(I, workers, deadline, full.gradient);
+  computeGradient(I, noise, workers, deadline, full.gradient);
   workers.run(2, [&](std::size_t scale, unsigned int) {
     if (scale == 0) {
       linkEdgeChains(full.gradient, shortestChain, full.chains, deadline);
     }
     else {
       halve(I, memory.halved);
-      computeGradient(memory.halved, half.gradient, deadline);
+      computeGradient(memory.halved, half.gradient, deadline, noise);
       linkEdgeChains(half.gradient, shortestChain, half.chains, deadline);
     }
   });
@@ -104,12 +112,19 @@ const ReusedList<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I
   findEllipses(memory.halved, half.gradient, half.chains, sought, atFull, workers, deadline, half.ellipses);
   KnownOutlines &known = full.ellipses.known;
   for (EllipseCandidate &outline : half.ellipses.known.outlines) {
+    EllipseReject reason = EllipseReject::NONE;
     if (outline.ellipse.b < leastHalfSemiMinor) {
-      continue;
+      reason = EllipseReject::TOO_SHORT;
     }
-    enlarge(outline);
-    if (!known.hasSame(outline.ellipse)) {
+    else if (known.hasSame(enlarged(outline.ellipse))) {
+      reason = EllipseReject::KNOWN_OUTLINE;
+    }
+    if (reason == EllipseReject::NONE) {
+      enlarge(outline);
       known.take(outline);
+    }
+    else if (half.ellipses.keepsRefusals) {
+      half.ellipses.benches.front().refusals.push_back({0, reason, outline.ellipse, outline.points});
     }
   }
   std::sort(known.outlines.begin(), known.outlines.end(),

@@ -37,6 +37,9 @@ struct OutlineMemory
   Scale full;
   Scale half;
   vpImage<unsigned char> halved;
+
+  /*! Sets whether the refusals of both scales are kept, to be shown. */
+  void keepsRefusals(bool kept) { full.ellipses.keepsRefusals = half.ellipses.keepsRefusals = kept; }
 };
 
 /*!
@@ -49,10 +52,12 @@ struct OutlineMemory
   \param workers : Threads; the result does not depend on their number.
   \param deadline : When to stop; what is found by then is kept.
   \param memory : Working memory.
+  \param noise : Where the noise of both scales is known from.
   \return The outlines in pixels of \e I, largest first; they stay in \e memory.
 */
 const ReusedList<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, const SoughtCenters &sought,
-                                                 Workers &workers, const Deadline &deadline, OutlineMemory &memory);
+                                                 Workers &workers, const Deadline &deadline, OutlineMemory &memory,
+                                                 NoiseSource noise = NoiseSource::IMAGE);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

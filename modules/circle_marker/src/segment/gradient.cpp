@@ -69,12 +69,14 @@ double estimateNoise(const vpImage<unsigned char> &I)
   return placed / (6. * 0.6745);
 }
 
-void prepareGradient(const vpImage<unsigned char> &I, Gradient &gradient)
+void prepareGradient(const vpImage<unsigned char> &I, Gradient &gradient, NoiseSource noise)
 {
   gradient.width = static_cast<int>(I.getWidth());
   gradient.height = static_cast<int>(I.getHeight());
   gradient.vectors.resize(I.getSize());
-  gradient.noise = estimateNoise(I);
+  if (noise == NoiseSource::IMAGE) {
+    gradient.noise = estimateNoise(I);
+  }
   const double sigma = sobelNoiseGain * gradient.noise;
   gradient.startAt = static_cast<int>(std::lround(std::max(startSigmas * sigma, sobelStepGain * leastStartStep)));
   gradient.continueAbove =
@@ -107,10 +109,10 @@ void computeGradientRows(const vpImage<unsigned char> &I, int firstRow, int endR
   }
 }
 
-void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient, const Deadline &deadline)
+void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient, const Deadline &deadline, NoiseSource noise)
 {
   constexpr int rowsAtOnce = 64; // between two looks at the clock: 0.1 ms on 4000 pixels
-  prepareGradient(I, gradient);
+  prepareGradient(I, gradient, noise);
   for (int y = 0; y < gradient.height; y += rowsAtOnce) {
     if (deadline.hasPassed()) {
       std::fill(gradient.vectors.begin() + static_cast<std::ptrdiff_t>(gradient.index(0, y)), gradient.vectors.end(),

@@ -67,8 +67,15 @@ struct Gradient
 */
 double estimateNoise(const vpImage<unsigned char> &I);
 
+/*! Where the noise of an image is known from. */
+enum class NoiseSource
+{
+  IMAGE, //!< It is estimated.
+  KNOWN  //!< Gradient::noise has it already: a region of an image is too small to tell.
+};
+
 /*! Makes room for the gradient of an image and sets its thresholds by the image's noise. */
-void prepareGradient(const vpImage<unsigned char> &I, Gradient &gradient);
+void prepareGradient(const vpImage<unsigned char> &I, Gradient &gradient, NoiseSource noise = NoiseSource::IMAGE);
 
 /*! Fills the rows of the gradient from \e firstRow to before \e endRow, after prepareGradient(). */
 void computeGradientRows(const vpImage<unsigned char> &I, int firstRow, int endRow, Gradient &gradient);
@@ -76,7 +83,8 @@ void computeGradientRows(const vpImage<unsigned char> &I, int firstRow, int endR
 /*!
   Fills \e gradient from \e I. Its memory is used again from call to call. After the deadline the rest stays zero.
 */
-void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient, const Deadline &deadline = Deadline());
+void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient, const Deadline &deadline = Deadline(),
+                     NoiseSource noise = NoiseSource::IMAGE);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

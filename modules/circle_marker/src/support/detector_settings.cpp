@@ -53,7 +53,7 @@ using Json = nlohmann::json;
 // The library would turn -1 and 1.5 into whole numbers of its own.
 unsigned int readCount(const std::string &key, const Json &value, unsigned int least)
 {
-  constexpr unsigned int most = 1000; // threads or sectors: more is a mistake
+  constexpr unsigned int most = 1000; // threads, sectors or images: more is a mistake
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() < least || value.get<std::uint64_t>() > most) {
     refuse(key, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   }
@@ -142,10 +142,16 @@ void read(const Json &json, DetectorSettings &settings)
     else if (key == "threads") {
       settings.threads = readCount(key, value, 1);
     }
+    else if (key == "tracking") {
+      settings.tracking = value.get<bool>();
+    }
+    else if (key == "fullSearchPeriod") {
+      settings.fullSearchPeriod = readCount(key, value, 1);
+    }
     else {
       throw vpException(vpException::badValue,
                         "unknown setting \"%s\"; known are families, sizes, maximumHammingDistance, minimumMargin, "
-                        "refinePose, zAlignedWithCameraAxis, threads",
+                        "refinePose, zAlignedWithCameraAxis, threads, tracking, fullSearchPeriod",
                         key.c_str());
     }
   }
@@ -184,6 +190,8 @@ void writeSettings(const std::string &filename, const DetectorSettings &settings
   json["refinePose"] = settings.refinePose;
   json["zAlignedWithCameraAxis"] = settings.zAlignedWithCameraAxis;
   json["threads"] = settings.threads;
+  json["tracking"] = settings.tracking;
+  json["fullSearchPeriod"] = settings.fullSearchPeriod;
   const std::string temporary = filename + ".tmp";
   {
     std::ofstream file(temporary);

@@ -91,6 +91,9 @@ void DetectorOptions::addTo(CLI::App &app)
   app.add_option("--hamming", hamming, "Most sectors of a code that are corrected")->check(CLI::Range(0U, 5U));
   app.add_option("--config", configFile, "Settings of vpDetectorCircleMarker, JSON; other options go before it");
   app.add_option("--nthreads", threads, "Number of threads")->check(CLI::Range(1U, 1024U));
+  app.add_option("--tracking", tracking,
+                 "Follows markers from image to image: only every N-th is searched whole, or when a marker is lost")
+      ->check(CLI::Range(1U, 1000U));
 }
 
 DetectorSettings DetectorOptions::settings() const
@@ -101,6 +104,7 @@ DetectorSettings DetectorOptions::settings() const
   result.configFile = configFile;
   result.hamming = hamming;
   result.threads = threads;
+  result.tracking = tracking;
   if (!families.empty() || ratio || configFile.empty()) {
     try {
       result.families = familiesOf(families.empty() ? (ratio ? "ring" : "golay23") : families, ratio);
@@ -130,6 +134,9 @@ vpDetectorCircleMarker makeDetector(const DetectorSettings &settings)
   }
   if (settings.threads) {
     detector.setNbThreads(*settings.threads);
+  }
+  if (settings.tracking) {
+    detector.setTracking(true, *settings.tracking);
   }
   detector.setZAlignedWithCameraAxis(true);
   return detector;

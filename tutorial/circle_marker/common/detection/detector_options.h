@@ -40,6 +40,7 @@ struct DetectorSettings
   std::vector<vpCircleMarkerFamily> families; //!< Families to look for; empty: those of the settings.
   std::optional<unsigned int> hamming;        //!< Most sectors to be corrected.
   std::optional<unsigned int> threads;        //!< Number of threads.
+  std::optional<unsigned int> tracking;       //!< Every so many images the whole one is searched.
 };
 
 /*! The options as they were written; lives as long as the CLI::App that fills it. */
@@ -52,8 +53,9 @@ struct DetectorOptions
   std::string configFile;
   std::optional<unsigned int> hamming;
   std::optional<unsigned int> threads;
+  std::optional<unsigned int> tracking;
 
-  /*! Adds --size, --sizes, --family, --ratio, --hamming, --config and --nthreads to a program. */
+  /*! Adds --size, --sizes, --family, --ratio, --hamming, --config, --nthreads and --tracking to a program. */
   void addTo(CLI::App &app);
 
   /*!

@@ -28,6 +28,7 @@
 #include <string>
 #include <vector>
 
+#include <visp3/circle_marker/vpCircleMarkerDebug.h>
 #include <visp3/circle_marker/vpCircleMarkerDetection.h>
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
@@ -35,6 +36,7 @@
 #include <visp3/core/vpColor.h>
 #include <visp3/core/vpImage.h>
 #include <visp3/core/vpRGBa.h>
+#include <visp3/core/vpRect.h>
 #include <visp3/detection/vpDetectorBase.h>
 
 BEGIN_VISP_NAMESPACE
@@ -109,10 +111,19 @@ public:
   void setMaximumHammingDistance(unsigned int distance);
   void setMinimumMargin(double margin);
   void setNbThreads(unsigned int threads);
+  void setTracking(bool tracking, unsigned int fullSearchPeriod = 10);
   void setRefinePose(bool refine);
   void setZAlignedWithCameraAxis(bool aligned);
   void loadConfigFile(const std::string &filename);
   void saveConfigFile(const std::string &filename) const;
+  //@}
+
+  /** @name Why (not): what the rooms of the detector saw */
+  //@{
+  void setDebug(bool debug);
+  const vpCircleMarkerDebug &getDebug() const;
+  std::vector<vpCircleMarkerCandidate> getRejectedCandidates() const;
+  const std::vector<vpRect> &getSearchedRegions() const;
   //@}
 
   /** @name Display */

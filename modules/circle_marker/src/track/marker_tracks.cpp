@@ -1,0 +1,182 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Where the markers of the last images will be in the next one.
+ */
+
+#include "track/marker_tracks.h"
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Room around the predicted outline: a few pixels for the edge, its blur and the search along its normal, a share of
+// the ring's radius (its quiet zone has a sixth), and of the way it made since the image before.
+constexpr double leastMargin = 8.;
+constexpr double marginOfRadius = 0.25;
+constexpr double marginOfSpeed = 0.5;
+// A marker whose speed is not known may move by this share of its radius more.
+constexpr double marginWithoutSpeed = 0.5;
+// An outline that comes nearer to the side of its box, pixels, may be a piece of a larger one.
+constexpr double clearOfSide = 4.;
+// Corners of boxes are multiples of this: the half-size image starts its chains on every second row.
+constexpr int grid = 4;
+// Beyond this share of the image, boxes take as long as the whole.
+constexpr double mostOfImage = 0.6;
+
+int roundedDown(int value)
+{
+  return value - value % grid;
+}
+
+bool touch(const PixelBox &p, const PixelBox &q)
+{
+  return p.left <= q.right && q.left <= p.right && p.top <= q.bottom && q.top <= p.bottom;
+}
+
+} // namespace
+
+PixelBox boxAround(const EllipseParameters &ellipse, double margin, int width, int height)
+{
+  const double c = std::cos(ellipse.angle);
+  const double s = std::sin(ellipse.angle);
+  // Half the sides of the box around an ellipse: the norms of its axes' components.
+  const double halfWidth = std::hypot(ellipse.a * c, ellipse.b * s) + margin;
+  const double halfHeight = std::hypot(ellipse.a * s, ellipse.b * c) + margin;
+  const auto inside = [](double value, int limit) {
+    return static_cast<int>(std::clamp(value, 0., static_cast<double>(limit)));
+  };
+  return {inside(ellipse.center.x() - halfWidth, width), inside(ellipse.center.y() - halfHeight, height),
+          inside(ellipse.center.x() + halfWidth + 1., width), inside(ellipse.center.y() + halfHeight + 1., height)};
+}
+
+// How far the marker may be from where it is expected, pixels.
+double MarkerTracks::Track::slack() const
+{
+  return hasSpeed ? marginOfSpeed * speed.norm() : marginWithoutSpeed * marker.outline.a;
+}
+
+double MarkerTracks::Track::distanceTo(const SeenMarker &other) const
+{
+  return (marker.outline.center + speed - other.outline.center).norm();
+}
+
+// Whether it may be this marker that is seen there.
+bool MarkerTracks::Track::mayBe(const SeenMarker &other) const
+{
+  return marker.family == other.family && marker.id == other.id && distanceTo(other) < marker.outline.a + slack();
+}
+
+void MarkerTracks::clear()
+{
+  m_tracks.clear();
+}
+
+void MarkerTracks::follow(const std::vector<SeenMarker> &seen, int width, int height)
+{
+  m_width = width;
+  m_height = height;
+  std::swap(m_before, m_tracks);
+  m_tracks.clear();
+  for (const SeenMarker &marker : seen) {
+    Track track;
+    track.marker = marker;
+    const Track *nearest = nullptr;
+    for (const Track &old : m_before) {
+      if (old.mayBe(marker) && (nearest == nullptr || old.distanceTo(marker) < nearest->distanceTo(marker))) {
+        nearest = &old;
+      }
+    }
+    if (nearest != nullptr) {
+      track.hasSpeed = true;
+      track.speed = marker.outline.center - nearest->marker.outline.center;
+      track.growth = marker.outline.a - nearest->marker.outline.a;
+    }
+    m_tracks.push_back(track);
+  }
+}
+
+const std::vector<PixelBox> &MarkerTracks::predict(int width, int height)
+{
+  m_boxes.clear();
+  if (width != m_width || height != m_height) {
+    return m_boxes;
+  }
+  for (const Track &track : m_tracks) {
+    EllipseParameters predicted = track.marker.outline;
+    predicted.center += track.speed;
+    const double margin = leastMargin + marginOfRadius * predicted.a + track.slack() + std::max(2. * track.growth, 0.);
+    PixelBox box = boxAround(predicted, margin, width, height);
+    box.left = roundedDown(box.left);
+    box.top = roundedDown(box.top);
+    box.right = std::min(roundedDown(box.right + grid - 1), width);
+    box.bottom = std::min(roundedDown(box.bottom + grid - 1), height);
+    constexpr int leastSide = 16; // pixels: less is on its way out of the image
+    if (box.width() >= leastSide && box.height() >= leastSide) {
+      m_boxes.push_back(box);
+    }
+  }
+  mergeBoxes();
+  double area = 0.;
+  for (const PixelBox &box : m_boxes) {
+    area += static_cast<double>(box.width()) * box.height();
+  }
+  if (area > mostOfImage * width * height) {
+    m_boxes.clear();
+  }
+  return m_boxes;
+}
+
+// Makes one of any two boxes that touch, until none do.
+void MarkerTracks::mergeBoxes()
+{
+  for (std::size_t i = 0; i < m_boxes.size();) {
+    const auto other = std::find_if(m_boxes.begin() + static_cast<std::ptrdiff_t>(i) + 1, m_boxes.end(),
+                                    [&](const PixelBox &box) { return touch(m_boxes[i], box); });
+    if (other == m_boxes.end()) {
+      ++i;
+      continue;
+    }
+    PixelBox &box = m_boxes[i];
+    box = {std::min(box.left, other->left), std::min(box.top, other->top), std::max(box.right, other->right),
+           std::max(box.bottom, other->bottom)};
+    *other = m_boxes.back();
+    m_boxes.pop_back();
+    i = 0; // the larger box may touch one that was passed
+  }
+}
+
+// Whether an outline lies within one box, off those of its sides that are not the image's own.
+bool MarkerTracks::isInTheOpen(const EllipseParameters &outline) const
+{
+  const PixelBox around = boxAround(outline, clearOfSide, m_width, m_height);
+  return std::any_of(m_boxes.begin(), m_boxes.end(), [&](const PixelBox &box) {
+    return around.left >= box.left && around.top >= box.top && around.right <= box.right && around.bottom <= box.bottom;
+  });
+}
+
+bool MarkerTracks::haveAll(const std::vector<SeenMarker> &seen) const
+{
+  return seen.size() >= m_tracks.size() &&
+         std::all_of(m_tracks.begin(), m_tracks.end(),
+                     [&](const Track &track) {
+                       return std::any_of(seen.begin(), seen.end(),
+                                          [&](const SeenMarker &marker) { return track.mayBe(marker); });
+                     }) &&
+         std::all_of(seen.begin(), seen.end(), [&](const SeenMarker &marker) { return isInTheOpen(marker.outline); });
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

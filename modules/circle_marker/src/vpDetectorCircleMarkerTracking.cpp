@@ -1,0 +1,153 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The circular marker detector follows markers from image to image.
+ */
+
+#include "vpDetectorCircleMarkerImpl.h"
+
+#include <algorithm>
+
+#include <visp3/core/vpException.h>
+
+#include "support/debug_record.h"
+
+BEGIN_VISP_NAMESPACE
+
+using namespace circle_marker;
+
+namespace {
+void copyRegion(const vpImage<unsigned char> &I, const PixelBox &box, vpImage<unsigned char> &region)
+{
+  region.resize(static_cast<unsigned int>(box.height()), static_cast<unsigned int>(box.width()));
+  for (int y = 0; y < box.height(); ++y) {
+    const unsigned char *row = I[static_cast<unsigned int>(box.top + y)] + box.left;
+    std::copy(row, row + box.width(), region[static_cast<unsigned int>(y)]);
+  }
+}
+
+// From pixels of a region to those of the image.
+void moveBy(const Eigen::Vector2d &offset, EllipseCandidate &outline)
+{
+  outline.ellipse.center += offset;
+  outline.conic = conicFromEllipse(outline.ellipse);
+  for (EdgePoint &point : outline.points) {
+    point.position += offset;
+  }
+}
+} // namespace
+
+/*!
+  Looks for the markers of the last images near the places where they are expected.
+  \return Whether they are all there; if not, or if it is time for it, the whole image has to be searched.
+*/
+bool vpDetectorCircleMarker::Impl::searchRegions(const Visit &visit)
+{
+  if (!settings.tracking || m_sinceWhole + 1 >= settings.fullSearchPeriod) {
+    return false;
+  }
+  const int width = static_cast<int>(visit.I.getWidth());
+  const int height = static_cast<int>(visit.I.getHeight());
+  const std::vector<PixelBox> &boxes = m_tracks.predict(width, height);
+  if (boxes.empty()) {
+    return false;
+  }
+  searched.clear();
+  debug = vpCircleMarkerDebug();
+  m_regionOutlines.clear();
+  for (const PixelBox &box : boxes) {
+    searchRegion(visit, box);
+  }
+  std::sort(m_regionOutlines.begin(), m_regionOutlines.end(),
+            [](const EllipseCandidate &p, const EllipseCandidate &q) { return p.ellipse.a > q.ellipse.a; });
+  outlineCount = static_cast<unsigned int>(m_regionOutlines.size());
+  examineAll(visit, m_regionOutlines);
+  keepSeen(m_regionOutlines);
+  if (!m_tracks.haveAll(m_seen)) {
+    return visit.deadline.hasPassed(); // there is no time for more
+  }
+  m_tracks.follow(m_seen, width, height);
+  ++m_sinceWhole;
+  return true;
+}
+
+/*! A region through the rooms up to the outlines. */
+void vpDetectorCircleMarker::Impl::searchRegion(const Visit &visit, const PixelBox &box)
+{
+  copyRegion(visit.I, box, m_region);
+  m_regions.keepsRefusals(keepsDebug);
+  m_regions.full.gradient.noise = m_outlines.full.gradient.noise;
+  m_regions.half.gradient.noise = m_outlines.half.gradient.noise;
+  findOutlines(m_region, soughtCenters(), m_workers, visit.deadline, m_regions, NoiseSource::KNOWN);
+  if (keepsDebug) {
+    recordOutlines(m_regions, vpImagePoint(box.top, box.left), debug);
+  }
+  for (EllipseCandidate &outline : m_regions.full.ellipses.known.outlines) {
+    moveBy(Eigen::Vector2d(box.left, box.top), outline);
+    std::swap(m_regionOutlines.append(), outline);
+  }
+  searched.push_back(vpRect(box.left, box.top, box.width(), box.height()));
+}
+
+/*! Notes the markers of the image, to look for them in the next one. */
+void vpDetectorCircleMarker::Impl::keepSeen(const Outlines &outlines)
+{
+  m_seen.clear();
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (m_examinations[i].found) {
+      const Recognition &marker = m_examinations[i].found->marker;
+      m_seen.push_back({marker.family.getType(), marker.code.id, outlines[i].ellipse});
+    }
+  }
+}
+
+void vpDetectorCircleMarker::Impl::forgetTracks()
+{
+  m_tracks.clear();
+  m_sinceWhole = 0;
+}
+
+/*!
+  Follows markers from image to image: they are looked for in regions around the places where they are expected, which
+  takes a fraction of the time. The whole image is searched while there is no marker, when one is lost, and every
+  \e fullSearchPeriod images, so that new ones are found. What is found of a marker is what a search of the whole image
+  finds of it.
+
+  The images must be those of one camera in their order.
+
+  \param tracking : Whether to do so; off by default.
+  \param fullSearchPeriod : Every so many images the whole one is searched; 1 for all of them.
+  \exception vpException::badValue : If the period is 0.
+*/
+void vpDetectorCircleMarker::setTracking(bool tracking, unsigned int fullSearchPeriod)
+{
+  if (fullSearchPeriod == 0) {
+    throw vpException(vpException::badValue, "vpDetectorCircleMarker: the whole image has to be searched every 1, 2, "
+                                             "3... images, not every 0");
+  }
+  m_impl->settings.tracking = tracking;
+  m_impl->settings.fullSearchPeriod = fullSearchPeriod;
+  m_impl->forgetTracks();
+}
+
+/*!
+  \return Where the last image was searched for markers, pixels: the whole of it, or regions around those that are
+  followed (see setTracking()).
+*/
+const std::vector<vpRect> &vpDetectorCircleMarker::getSearchedRegions() const
+{
+  return m_impl->searched;
+}
+
+END_VISP_NAMESPACE
