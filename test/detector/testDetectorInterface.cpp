@@ -193,6 +193,33 @@ TEST(DetectorInterface, SizesOfSingleMarkers)
   EXPECT_LT((rotationOf(after[1]) - rotationOf(before[1])).norm(), 1e-3);
 }
 
+TEST(DetectorInterface, DatabaseGivesSizesNamesAndPayloads)
+{
+  TwoMarkers scene;
+  vpCircleMarkerDatabase database;
+  vpCircleMarkerEntry entry;
+  entry.id = 9;
+  entry.size = 2. * size;
+  entry.name = "door";
+  entry.payload = "wait";
+  database.add(entry);
+  entry.family = vpCircleMarkerFamily::BCH31; // another marker 5
+  entry.id = 5;
+  database.add(entry);
+  vpDetectorCircleMarker detector;
+  detector.setZAlignedWithCameraAxis(true);
+  detector.setMarkerSizes({{9, 3. * size}}); // the database's counts
+  detector.setDatabase(database);
+  std::vector<vpHomogeneousMatrix> cMo;
+  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), cMo));
+  ASSERT_EQ(cMo.size(), 2u);
+  EXPECT_EQ(detector.getMessage(0), "golay23 id: 5");
+  EXPECT_EQ(detector.getMessage(1), "golay23 id: 9 name: door payload: wait");
+  EXPECT_NEAR(cMo[0][2][3], scene.poses[0][2][3], 0.01 * scene.poses[0][2][3]);
+  EXPECT_NEAR(cMo[1][2][3], 2. * scene.poses[1][2][3], 0.02 * scene.poses[1][2][3]);
+  EXPECT_EQ(vpDetectorCircleMarker(detector).getDatabase().getEntries().size(), 2u); // copies know it as well
+}
+
 TEST(DetectorInterface, PoseForAnotherSize)
 {
   TwoMarkers scene;

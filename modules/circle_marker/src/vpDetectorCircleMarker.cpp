@@ -54,6 +54,19 @@ vpCameraParameters nominalCamera(const vpImage<unsigned char> &I)
   return vpCameraParameters(focal, focal, 0.5 * (I.getWidth() - 1.), 0.5 * (I.getHeight() - 1.));
 }
 
+// As vpDetectorAprilTag's, and what the database knows of the marker.
+std::string messageOf(const vpCircleMarkerDetection &d, const vpCircleMarkerEntry *entry)
+{
+  std::string message = d.family.isCoded() ? d.family.getName() + " id: " + std::to_string(d.id) : d.family.getName();
+  if (entry != nullptr && !entry->name.empty()) {
+    message += " name: " + entry->name;
+  }
+  if (entry != nullptr && !entry->payload.empty()) {
+    message += " payload: " + entry->payload;
+  }
+  return message;
+}
+
 // The image fixes the poses up to the size: everything scales with it.
 void scaleTo(double size, PosePair &poses)
 {
@@ -206,8 +219,12 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
     }
   }
   if (examination.marker) {
+    const vpCircleMarkerEntry *entry = database.find(examination.marker->family, examination.marker->code.id);
     const auto known = settings.sizes.find(examination.marker->code.id);
-    if (known != settings.sizes.end()) {
+    if (entry != nullptr) {
+      scaleTo(entry->size, examination.marker->poses);
+    }
+    else if (known != settings.sizes.end()) {
       scaleTo(known->second, examination.marker->poses);
     }
   }
@@ -366,9 +383,7 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size
   fill(cMo_vec2, [](const Detection &d) { return d.hasSecondPose ? d.cMo2 : d.cMo; });
   fill(projErrors, [](const Detection &d) { return d.cost; });
   fill(projErrors2, [](const Detection &d) { return d.cost2; });
-  fill(&m_message, [](const Detection &d) {
-    return d.family.isCoded() ? d.family.getName() + " id: " + std::to_string(d.id) : d.family.getName();
-  });
+  fill(&m_message, [this](const Detection &d) { return messageOf(d, m_impl->database.find(d.family, d.id)); });
   m_nb_objects = m_impl->detections.size();
   m_polygon.clear();
   for (std::size_t i = 0; i < m_nb_objects; ++i) {

@@ -159,6 +159,24 @@ const std::vector<vpCircleMarkerFamily> &vpDetectorCircleMarker::getFamilies() c
 }
 
 /*!
+  \param database : What is known of the markers. Those in it have its sizes, whatever detect() and setMarkerSizes() say,
+  and their messages carry name and payload: "golay23 id: 5 name: door payload: wait". Which families are looked for is
+  setFamilies()'s.
+*/
+void vpDetectorCircleMarker::setDatabase(const vpCircleMarkerDatabase &database)
+{
+  m_impl->database = database;
+}
+
+/*!
+  \return What is known of the markers.
+*/
+const vpCircleMarkerDatabase &vpDetectorCircleMarker::getDatabase() const
+{
+  return m_impl->database;
+}
+
+/*!
   \param sizes : Sizes of single markers, metres, by id; the others have the size given to detect().
   \exception vpException::badValue : If a size is not positive.
 */

@@ -56,6 +56,7 @@ public:
   void forgetTracks();
 
   circle_marker::DetectorSettings settings;        //!< All that a user can set.
+  vpCircleMarkerDatabase database;                 //!< What is known of the markers.
   bool displayTag = false;                         //!< Whether detect() draws.
   vpColor displayColor = vpColor::none;            //!< In which colour.
   unsigned int displayThickness = 2;               //!< Pixels.

@@ -28,6 +28,7 @@
 #include <string>
 #include <vector>
 
+#include <visp3/circle_marker/vpCircleMarkerDatabase.h>
 #include <visp3/circle_marker/vpCircleMarkerDebug.h>
 #include <visp3/circle_marker/vpCircleMarkerDetection.h>
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
@@ -53,7 +54,7 @@ BEGIN_VISP_NAMESPACE
   std::vector<vpHomogeneousMatrix> cMo;
   detector.detect(I, 0.180, cam, cMo);
   for (size_t i = 0; i < cMo.size(); i++) {
-    std::cout << detector.getMessage(i) << "\n" << cMo[i] << std::endl; // "golay23 id: 5"
+    std::cout << detector.getMessage(i) << "\n" << cMo[i] << std::endl; // "golay23 id: 5"; see setDatabase()
   }
   \endcode
 
@@ -107,6 +108,8 @@ public:
   void setFamily(const vpCircleMarkerFamily &family);
   void setFamilies(const std::vector<vpCircleMarkerFamily> &families);
   const std::vector<vpCircleMarkerFamily> &getFamilies() const;
+  void setDatabase(const vpCircleMarkerDatabase &database);
+  const vpCircleMarkerDatabase &getDatabase() const;
   void setMarkerSizes(const std::map<int, double> &sizes);
   void setMaximumHammingDistance(unsigned int distance);
   void setMinimumMargin(double margin);
