@@ -62,11 +62,12 @@ Lens::Lens(const vpCameraParameters &cam)
 {
   if (m_model == vpCameraParameters::ProjWithKannalaBrandtDistortion) {
     const std::vector<double> k = cam.getKannalaBrandtDistortionCoefficients();
-    if (k.size() != m_fisheye.size()) {
+    // ViSP's files have a fifth coefficient, of which its formula makes no use.
+    if (k.size() < m_fisheye.size()) {
       throw vpException(vpException::dimensionError, "a Kannala-Brandt camera needs 4 coefficients, this one has %d",
                         static_cast<int>(k.size()));
     }
-    std::copy(k.begin(), k.end(), m_fisheye.begin());
+    std::copy_n(k.begin(), m_fisheye.size(), m_fisheye.begin());
   }
 }
 
