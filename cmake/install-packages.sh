@@ -18,7 +18,7 @@
 #
 #############################################################################
 
-# bash cmake/install-packages.sh build|test|in-tree ...: the packages of the named uses. Does nothing, and asks for no
+# bash cmake/install-packages.sh build|test|in-tree|doc ...: the packages of the named uses. Does nothing, and asks for no
 # rights, when all are present.
 set -euo pipefail
 
@@ -28,11 +28,14 @@ for use in "$@"; do
     # The libraries and the programs, and gnuplot, which the programs draw their curves with.
     build) packages+=(build-essential cmake pkg-config libvisp-dev libeigen3-dev libopencv-dev libcairo2-dev
                       libcli11-dev nlohmann-json3-dev gnuplot-nox libbenchmark-dev) ;;
-    # GoogleTest; poppler and librsvg read printed sheets back; photographs; a display without a screen.
-    test) packages+=(libgtest-dev poppler-utils librsvg2-bin visp-images-data xvfb xauth xdotool) ;;
+    # GoogleTest; poppler and librsvg read printed sheets back; photographs; a display without a screen; what CPack
+    # needs for a Debian package.
+    test) packages+=(libgtest-dev poppler-utils librsvg2-bin visp-images-data xvfb xauth xdotool dpkg-dev file) ;;
     # To unpack and build ViSP's own source.
     in-tree) packages+=(dpkg-dev ca-certificates ccache) ;;
-    *) echo "install-packages.sh: unknown use $use; known: build, test, in-tree" >&2; exit 2 ;;
+    # The documentation: Doxygen, bibtex for its references, MathJax for its formulas.
+    doc) packages+=(doxygen texlive-binaries libjs-mathjax) ;;
+    *) echo "install-packages.sh: unknown use $use; known: build, test, in-tree, doc" >&2; exit 2 ;;
   esac
 done
 

@@ -14,24 +14,30 @@
 # WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
 #
 # Description:
-# Builds and tests the modules inside ViSP's own source tree.
+# Builds, tests and installs the modules inside ViSP's own source tree.
 #
 #############################################################################
 
-# bash test/in-tree.sh [--visp DIR] [--work DIR]
+# bash test/in-tree.sh [--visp DIR] [--work DIR] [--quick]
 #   --visp DIR  ViSP's source; without it, the source of the distribution's package, fetched with apt-get
 #   --work DIR  folder for that source and for the build, outside of this project; kept, so that the next run is short
+#   --quick     of the tutorials and examples only those in quick_programs, not all
+# Ends with 0 (all is well), 1 (it is not), 2 (wrong arguments) or 77 (ViSP's source cannot be had here: nothing tested).
 set -euo pipefail
+quick_programs=(tutorial-circle-marker-detector tutorial-circle-marker-pbvs circle-marker-create)
+usage="usage: bash test/in-tree.sh [--visp DIR] [--work DIR] [--quick]"
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 work=${TMPDIR:-/tmp}/circle-marker-in-tree
 visp=
+quick=false
 while [[ $# -gt 0 ]]; do
   case $1 in
     --visp | --work)
       [[ $# -ge 2 ]] || { echo "in-tree.sh: $1 needs a folder" >&2; exit 2; }
       if [[ $1 == --visp ]]; then visp=$2; else work=$2; fi
       shift 2 ;;
-    -h | --help) echo "usage: bash test/in-tree.sh [--visp DIR] [--work DIR]"; exit 0 ;;
+    --quick) quick=true; shift ;;
+    -h | --help) echo "$usage"; exit 0 ;;
     *) echo "in-tree.sh: unknown argument $1; see --help" >&2; exit 2 ;;
   esac
 done
@@ -42,7 +48,11 @@ case $work/ in
   "$root"/*) echo "in-tree.sh: $work is inside the project; choose a --work folder outside" >&2; exit 2 ;;
 esac
 
-bash "$root/cmake/install-packages.sh" build test in-tree
+bash "$root/cmake/install-packages.sh" build test
+if ! bash "$root/cmake/install-packages.sh" in-tree; then
+  echo "in-tree.sh: nothing was tested: what unpacks ViSP's source cannot be installed" >&2
+  exit 77
+fi
 
 # fetch_visp: prints the folder of ViSP's source from the distribution. Sources are looked up in a private copy of the
 # package lists, so that nothing of the system's own set-up changes.
@@ -71,7 +81,12 @@ fetch_visp()
 }
 
 if [[ -z $visp ]]; then
-  visp=$(fetch_visp)
+  visp=$(fetch_visp) || visp=
+  if [[ -z $visp ]]; then
+    echo "in-tree.sh: nothing was tested: the distribution's source of ViSP cannot be had here (no network, or no" \
+         "sources in its archive); see above, or name a source with --visp" >&2
+    exit 77
+  fi
 fi
 [[ -f $visp/modules/core/CMakeLists.txt ]] || { echo "in-tree.sh: no source of ViSP in '$visp'" >&2; exit 1; }
 visp=$(cd "$visp" && pwd)
@@ -81,7 +96,7 @@ echo "ViSP's source: $visp; build: $build"
 # Without USE_CXX_STANDARD, ViSP 3.5.0 changes the standard at the second configuration and compiles all again.
 options=(-DCMAKE_BUILD_TYPE=Release -DUSE_CXX_STANDARD=17 "-DVISP_CONTRIB_MODULES_PATH=$root"
          -DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
-         -DBUILD_DEMOS=OFF -DBUILD_JAVA=OFF -DBUILD_TESTS=ON -DBUILD_TUTORIALS=ON -DBUILD_EXAMPLES=ON)
+         -DBUILD_APPS=OFF -DBUILD_DEMOS=OFF -DBUILD_JAVA=OFF -DBUILD_TESTS=ON -DBUILD_TUTORIALS=ON -DBUILD_EXAMPLES=ON)
 for module in ar dnn_tracker imgproc java java_bindings_generator klt mbt python python_bindings rbt tt tt_mi; do
   options+=("-DBUILD_MODULE_visp_$module=OFF")
 done
@@ -110,6 +125,9 @@ mapfile -t tests < <(find "$root"/modules/*/test -name '*.cpp' -exec basename {}
 # A program is one file or a folder of files; common/ is what programs share.
 mapfile -t programs < <(cd "$root" && find tutorial/circle_marker example/circle_marker -name '*.cpp' |
                         cut -d/ -f3 | sed 's/\.cpp$//' | grep -vx common | sort -u)
+if $quick; then
+  programs=("${quick_programs[@]}")
+fi
 servo=tutorial-circle-marker-pbvs
 for target in visp_circle_marker visp_circle_marker_simulator $servo "${tests[@]}" "${programs[@]}"; do
   has_target "$target" || { echo "in-tree.sh: ViSP's build does not know the target $target" >&2; exit 1; }
@@ -122,6 +140,22 @@ cmake --build "$build" -j"$(nproc)" --target \
 "$(find "$build" -name $servo -type f -perm -u+x | head -n 1)" --detector both --display-off --output "$work/servo"
 
 pattern=$(IFS='|'; echo "${tests[*]}")
+# install_and_use: ViSP with our modules in a temporary prefix, and a third party's project on it, as test/run.sh has it
+# for the standalone installation. Installing takes ViSP's manual pages and scripts as well.
+install_and_use()
+{
+  local prefix=$work/prefix consumer=$work/install-consumer
+  rm -rf "$prefix" "$consumer"
+  cmake --build "$build" -j"$(nproc)" --target visp_modules man developer_scripts > "$work/install.log" 2>&1 &&
+    cmake --install "$build" --prefix "$prefix" >> "$work/install.log" 2>&1 ||
+    { tail -n 40 "$work/install.log" >&2; return 1; }
+  cmake -S "$root/test/install-consumer" -B "$consumer" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=$prefix" &&
+    grep -q "^VISP_DIR:PATH=$prefix/" "$consumer/CMakeCache.txt" &&
+    cmake --build "$consumer" &&
+    "$consumer/install-consumer"
+}
+install_and_use || { echo "in-tree.sh: the modules cannot be used from an installed ViSP" >&2; exit 1; }
+
 log=$work/ctest-output.txt
 status=0
 ctest --test-dir "$build" --output-on-failure --no-tests=error -j"$(nproc)" -R "^($pattern)\$" 2>&1 | tee "$log" ||

@@ -45,14 +45,14 @@ public:
 
   /*!
     Looks along rays from the point (x, y) for the crossing of the middle grey between two radii.
-    \param from, to : Radii between which there is one crossing; the search goes from the first to the second.
+    \e from and \e to: Radii between which there is one crossing; the search goes from the first to the second.
   */
   Circle circleAround(double x, double y, double from, double to) const;
 
   /*!
     The word of a code track, sector 0 first, read with the plain geometry of its definition: sector k of n spans
     2 pi k/n to 2 pi (k+1)/n from +x toward +y, between 0.40 and 0.68 of the outer radius.
-    \param clean : Whether every sector is uniform: all white or all black.
+    \e clean: Whether every sector is uniform: all white or all black.
   */
   std::uint32_t wordAround(double x, double y, double diameter, unsigned int nbSectors, bool &clean) const;
 

@@ -19,7 +19,6 @@
 #include <cstdint>
 #include <regex>
 #include <set>
-#include <sstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -30,6 +29,7 @@
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpImage.h>
 
+#include "create_program.h"
 #include "rendered_page.h"
 #include "run_program.h"
 
@@ -38,32 +38,16 @@ using namespace VISP_NAMESPACE_NAME;
 #endif
 using nlohmann::json;
 using test::contentOf;
+using test::create;
 using test::emptyFolder;
 using test::filesIn;
+using test::linesOf;
 using test::Outcome;
 using test::RenderedPage;
 
 namespace {
 // Lengths on the page are right to this, millimetres: what the printed sheets promise.
 constexpr double lengthTolerance = 0.1;
-
-Outcome create(const std::vector<std::string> &arguments, const std::filesystem::path &folder)
-{
-  return test::run(CIRCLE_MARKER_CREATE, arguments, folder);
-}
-
-/*! The lines of JSON that a successful run wrote. */
-std::vector<json> linesOf(const Outcome &outcome)
-{
-  EXPECT_EQ(0, outcome.status) << outcome.err;
-  EXPECT_EQ("", outcome.err);
-  std::vector<json> lines;
-  std::istringstream stream(outcome.out);
-  for (std::string line; std::getline(stream, line);) {
-    lines.push_back(json::parse(line));
-  }
-  return lines;
-}
 
 RenderedPage load(const std::filesystem::path &file, double pixelsPerMillimetre)
 {
@@ -391,114 +375,6 @@ TEST(CircleMarkerCreate, SeveralPagesAsPngOrSvgAreFilesWithTheIdInTheName)
       filesIn(folder));
 }
 
-TEST(CircleMarkerCreate, TooLargeMarkersAreRefusedWithTheLargestSizeThatFits)
-{
-  const std::filesystem::path folder = emptyFolder();
-  for (const std::string sheet : {"a4", "a3", "letter"}) {
-    const std::vector<std::string> arguments = {"--id", "1", "--sheet", sheet, "--output", "marker.svg", "--size"};
-    const auto sized = [&arguments](const std::string &size) {
-      std::vector<std::string> all = arguments;
-      all.push_back(size);
-      return all;
-    };
-    const Outcome refused = create(sized("0.3"), folder);
-    EXPECT_EQ(2, refused.status);
-    EXPECT_TRUE(filesIn(folder).empty());
-    std::smatch found;
-    ASSERT_TRUE(std::regex_search(refused.err, found, std::regex("largest size that fits is ([0-9.]+) m\n")))
-        << refused.err;
-    EXPECT_EQ(0, create(sized(found[1]), folder).status) << sheet;
-    EXPECT_EQ(2, create(sized(std::to_string(std::stod(found[1]) + 0.0002)), folder).status) << sheet;
-    std::filesystem::remove(folder / "marker.svg");
-  }
-}
-
-TEST(CircleMarkerCreate, WrongArgumentsExitWith2AndLeaveNothing)
-{
-  const std::vector<std::string> wrong[] = {
-      {},
-      {"--id", "3"},
-      {"--output", "x.pdf"},
-      {"--id", "178", "--output", "x.pdf"},
-      {"--id", "-1", "--output", "x.pdf"},
-      {"--id", "1-2", "--output", "x.pdf"},
-      {"--id", "1", "--ids", "1-2", "--output", "x.pdf"},
-      {"--ids", "4-2", "--output", "x.pdf"},
-      {"--ids", "170-180", "--output", "x.pdf"},
-      {"--id", "3", "--output", "x.jpg"},
-      {"--id", "3", "--output", "x"},
-      {"--family", "golay", "--id", "3", "--output", "x.pdf"},
-      {"--family", "ring", "--id", "4", "--output", "x.pdf"},
-      {"--family", "ring", "--ratio", "1", "--output", "x.pdf"},
-      {"--family", "ring", "--ratio", "0", "--output", "x.pdf"},
-      {"--ratio", "0.7", "--id", "3", "--output", "x.pdf"},
-      {"--id", "3", "--size", "0", "--output", "x.pdf"},
-      {"--id", "3", "--size", "-0.1", "--output", "x.pdf"},
-      {"--id", "3", "--size", "nan", "--output", "x.pdf"},
-      {"--id", "3", "--size", "180", "--output", "x.pdf"},
-      {"--id", "3", "--size", "big", "--output", "x.pdf"},
-      {"--id", "3", "--sheet", "a5", "--output", "x.pdf"},
-      {"--id", "3", "--dpi", "0", "--output", "x.png"},
-      {"--id", "3", "--dpi", "5000", "--output", "x.png"},
-      {"--id", "3", "--per-sheet", "0", "--output", "x.pdf"},
-      {"--id", "3", "--per-sheet", "2", "--output", "x.pdf"},
-      {"--ids", "1-2", "--per-sheet", "2", "--sheet", "none", "--output", "x.pdf"},
-      {"--id", "3", "--output", "x.pdf", "--unknown"},
-      {"--id", "3", "--output", "x.pdf", "more"},
-  };
-  const std::filesystem::path folder = emptyFolder();
-  for (const std::vector<std::string> &arguments : wrong) {
-    std::string line;
-    for (const std::string &argument : arguments) {
-      line += " " + argument;
-    }
-    const Outcome outcome = create(arguments, folder);
-    EXPECT_EQ(2, outcome.status) << line;
-    EXPECT_EQ("", outcome.out) << line;
-    EXPECT_EQ(0u, outcome.err.find("circle-marker-create: ")) << line << "\n" << outcome.err;
-    EXPECT_EQ(outcome.err.size() - 1, outcome.err.find('\n')) << line << "\n" << outcome.err;
-    EXPECT_TRUE(filesIn(folder).empty()) << line;
-  }
-}
-
-TEST(CircleMarkerCreate, UnwritableOutputExitsWith1AndLeavesNothing)
-{
-  const std::filesystem::path folder = emptyFolder();
-  const Outcome noFolder = create({"--id", "3", "--output", "nowhere/x.pdf"}, folder);
-  EXPECT_EQ(1, noFolder.status);
-  EXPECT_EQ("", noFolder.out);
-  EXPECT_EQ(0u, noFolder.err.find("circle-marker-create: cannot write \"nowhere/x.pdf\"")) << noFolder.err;
-  EXPECT_TRUE(filesIn(folder).empty());
-
-  // The second of three files cannot be written: the first is not left behind either.
-  std::filesystem::create_directory(folder / "m-1.svg");
-  const Outcome isFolder = create({"--ids", "0-2", "--output", "m.svg"}, folder);
-  EXPECT_EQ(1, isFolder.status);
-  EXPECT_EQ("", isFolder.out);
-  EXPECT_EQ(std::vector<std::string>({"m-1.svg"}), filesIn(folder));
-}
-
-TEST(CircleMarkerCreate, FullDiskLeavesNothing)
-{
-  // A file that may not grow beyond one block stands for a full disk.
-  const std::filesystem::path folder = emptyFolder();
-  const Outcome outcome = test::run(
-      "/bin/sh", {"-c", "trap '' XFSZ; ulimit -f 1; exec \"$0\" --id 3 --output x.png", CIRCLE_MARKER_CREATE}, folder);
-  EXPECT_EQ(1, outcome.status) << outcome.err;
-  EXPECT_TRUE(filesIn(folder).empty());
-}
-
-TEST(CircleMarkerCreate, OlderFileIsReplaced)
-{
-  const std::filesystem::path folder = emptyFolder();
-  linesOf(create({"--id", "3", "--sheet", "none", "--output", "x.svg"}, folder));
-  const std::string before = contentOf(folder / "x.svg");
-  linesOf(create({"--id", "4", "--sheet", "none", "--output", "x.svg"}, folder));
-  EXPECT_NE(before, contentOf(folder / "x.svg"));
-  linesOf(create({"--id", "3", "--sheet", "none", "--output", "x.svg"}, folder));
-  EXPECT_EQ(before, contentOf(folder / "x.svg"));
-}
-
 TEST(CircleMarkerCreate, HelpAndFamilies)
 {
   const std::filesystem::path folder = emptyFolder();
@@ -516,4 +392,15 @@ TEST(CircleMarkerCreate, HelpAndFamilies)
     }
     EXPECT_NE(std::string::npos, families.out.find("2114"));
   }
+}
+
+TEST(CircleMarkerCreate, OlderFileIsReplaced)
+{
+  const std::filesystem::path folder = emptyFolder();
+  linesOf(create({"--id", "3", "--sheet", "none", "--output", "x.svg"}, folder));
+  const std::string before = contentOf(folder / "x.svg");
+  linesOf(create({"--id", "4", "--sheet", "none", "--output", "x.svg"}, folder));
+  EXPECT_NE(before, contentOf(folder / "x.svg"));
+  linesOf(create({"--id", "3", "--sheet", "none", "--output", "x.svg"}, folder));
+  EXPECT_EQ(before, contentOf(folder / "x.svg"));
 }

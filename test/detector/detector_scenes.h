@@ -19,7 +19,6 @@
 #define VP_TEST_DETECTOR_SCENES_H
 
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -32,26 +31,16 @@
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
 #include <visp3/circle_marker_simulator/vpMarkerSceneSimulator.h>
 
+#include "../../modules/circle_marker/test/testRandom.h"
+
 #ifdef ENABLE_VISP_NAMESPACE
 using namespace VISP_NAMESPACE_NAME;
 #endif
 
 namespace detector_test {
-using Random = std::mt19937_64;
-
-//! Random numbers that depend on the running test's name and nothing else.
-inline Random randomOfTest()
-{
-  const auto *info = ::testing::UnitTest::GetInstance()->current_test_info();
-  const std::string name = std::string(info->test_suite_name()) + "." + info->name();
-  std::seed_seq seed(name.begin(), name.end());
-  return Random(seed);
-}
-
-inline double uniform(Random &random, double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
+using random_test::Random;
+using random_test::randomOfTest;
+using random_test::uniform;
 
 constexpr unsigned int width = 640;
 constexpr unsigned int height = 480;
@@ -98,9 +87,9 @@ inline Eigen::Matrix3d turn(double angle, const Eigen::Vector3d &axis)
 
 /*!
   A z-aligned pose of any spin.
-  \param diameter : Of the ring in the image, pixels.
-  \param tilt : Angle between normal and line of sight, rad.
-  \param u, v : Image of the centre by a camera without distortion, pixels.
+  \e diameter: Of the ring in the image, pixels.
+  \e tilt: Angle between normal and line of sight, rad.
+  \e u and \e v: Image of the centre by a camera without distortion, pixels.
 */
 inline vpHomogeneousMatrix randomPose(Random &random, double diameter, double tilt, double u, double v)
 {

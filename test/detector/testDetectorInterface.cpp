@@ -102,6 +102,13 @@ TEST(DetectorInterface, MessagesAndLists)
   }
 }
 
+TEST(DetectorInterface, SimulatedRingIsPrintedAsTheFamilySays)
+{
+  const double ratio = vpCircleMarkerFamily(vpCircleMarkerFamily::RING).getLayout().ringInner;
+  EXPECT_EQ(vpSimulatedMarker::circle("ring", -1, size).getRingRatio(), ratio);
+  EXPECT_EQ(vpSimulatedMarker::circle("golay23", 0, size).getRingRatio(), ratio);
+}
+
 TEST(DetectorInterface, MessageWithoutACode)
 {
   Random random = randomOfTest();

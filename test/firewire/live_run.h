@@ -37,7 +37,7 @@ Json chameleonBus();
 
 /*!
   Runs a program on a simulated bus, in a folder; ends it after a minute, with the status 124.
-  \param bus : The scenario; null: no simulated bus.
+  \e bus: The scenario; null: no simulated bus.
 */
 Outcome runOnBus(const std::string &program, const std::vector<std::string> &arguments,
                  const std::filesystem::path &folder, const Json &bus, const std::vector<std::string> &before = {});

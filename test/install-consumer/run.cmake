@@ -17,7 +17,8 @@
 #
 #############################################################################
 
-# cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -P run.cmake
+# cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -D LIBRARY_FOLDER=... -D PKG_CONFIG=... -P run.cmake
+# LIBRARY_FOLDER: in the prefix, for instance lib; PKG_CONFIG: the program, empty to leave that way out.
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
@@ -40,3 +41,16 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK_DIR}/build -D CMAKE_
     -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${CXX_COMPILER})
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/install-consumer)
+
+# Without CMake: the same program by pkg-config alone. Its libraries are not where the linker looks.
+if(PKG_CONFIG)
+  set(ENV{PKG_CONFIG_PATH} ${WORK_DIR}/moved/${LIBRARY_FOLDER}/pkgconfig)
+  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs visp_circle_marker OUTPUT_VARIABLE flags RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "pkg-config does not know the installed visp_circle_marker")
+  endif()
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  run(${CXX_COMPILER} ${CMAKE_CURRENT_LIST_DIR}/install-consumer.cpp -o ${WORK_DIR}/with-pkg-config ${flags}
+      -Wl,-rpath,${WORK_DIR}/moved/${LIBRARY_FOLDER})
+  run(${WORK_DIR}/with-pkg-config)
+endif()

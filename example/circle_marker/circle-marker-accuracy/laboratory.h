@@ -43,7 +43,7 @@ class Laboratory
 public:
   explicit Laboratory(const Settings &settings) : m_settings(settings) {}
 
-  /*! \param withSeparation : Also for the mirrored pose, if the marker is small enough for it to matter. */
+  /*! \e withSeparation: Also for the mirrored pose, if the marker is small enough for it to matter. */
   Limit limitOf(const Scene &scene, bool withSeparation) const;
   Limit limitOfTag(const Scene &scene) const;
 

@@ -44,8 +44,8 @@ Page squarePage(const vpCircleMarkerFamily &family, int id, double diameter);
 /*!
   A sheet with markers, each with a caption and cut marks, and a scale bar at the foot. Nothing but the markers enters
   their squares.
-  \param diameter : Of the rings, millimetres.
-  \param ids : At most as many as capacity(sheet, squareSide(family, diameter)).
+  \e diameter: Of the rings, millimetres.
+  \e ids: At most as many as capacity(sheet, squareSide(family, diameter)).
 */
 Page sheetPage(const vpCircleMarkerFamily &family, const std::vector<int> &ids, double diameter, const Sheet &sheet);
 } // namespace create

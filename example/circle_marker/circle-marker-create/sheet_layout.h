@@ -54,7 +54,7 @@ unsigned int capacity(const Sheet &sheet, double side);
 /*!
   Places squares in rows, centred on the part of the sheet above its foot. They do not overlap and leave room between
   them for captions and cut marks.
-  \param count : From 1 to capacity(sheet, side).
+  \e count: From 1 to capacity(sheet, side).
 */
 std::vector<Square> placeSquares(const Sheet &sheet, double side, unsigned int count);
 } // namespace create

@@ -31,7 +31,7 @@ double chordDistance(double share);
 
 /*!
   The occluder that covers a share of a disc around the marker's centre, and all of the sheet beyond.
-  \param radius : Of the disc, metres.
+  \e radius: Of the disc, metres.
 */
 vpSceneOccluder occluderOf(const Cover &cover, const vpMarkerSceneSimulator &camera, const vpHomogeneousMatrix &cMo,
                            double radius);

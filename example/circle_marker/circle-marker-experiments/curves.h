@@ -47,7 +47,7 @@ Curve meanCurve(const std::vector<Sample> &samples, const View &view, const std:
 
 /*!
   In each bin that has frames: a bar of the share of them with the marker found, per cent.
-  \param place : Which of how many bars in a bin.
+  \e place: Which of how many bars in a bin.
 */
 Curve rateBars(const std::vector<Sample> &samples, const View &view, const std::vector<double> &edges,
                const SampleValue &x, std::size_t place, std::size_t places);

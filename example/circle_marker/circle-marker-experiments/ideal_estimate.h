@@ -31,8 +31,8 @@ namespace experiments {
   those of the best unbiased estimator, and are to be had in the same way as any other method's. What surrounds the
   sheet is unknown to it.
 
-  \param marker : At its true pose.
-  \param seed : Of the error.
+  \e marker: At its true pose.
+  \e seed: Of the error.
   \return Pose of the marker, z into it, metres.
 */
 vpHomogeneousMatrix idealEstimate(const vpSimulatedMarker &marker, const Scene &scene, std::uint64_t seed);
@@ -46,7 +46,7 @@ Sample limitOf(const vpSimulatedMarker &marker, const Scene &scene);
 /*!
   A pose that is off by an error drawn from a normal distribution.
 
-  \param covariance : 6 x 6, of delta with true pose = exp(delta) * estimate, translation first, metres and radians.
+  \e covariance: 6 x 6, of delta with true pose = exp(delta) * estimate, translation first, metres and radians.
 */
 vpHomogeneousMatrix drawnEstimate(const vpHomogeneousMatrix &truth, const vpMatrix &covariance, std::uint64_t seed);
 } // namespace experiments

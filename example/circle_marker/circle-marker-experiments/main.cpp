@@ -16,7 +16,7 @@
  */
 
 /*!
-  \example circle-marker-experiments
+  \example circle-marker-experiments/main.cpp
   The experiments of the thesis this work began with, done again and finished: lines of poses, random poses, resilience,
   requirements.
 */

@@ -28,7 +28,7 @@ using Keep = std::function<void(const RunData &data)>;
 /*!
   Makes the frames that are missing in the data. Which thread makes a frame changes nothing but its CPU time.
 
-  \param keep : Called at intervals that grow with the time it takes, so that it costs no more than a few per cent.
+  \e keep: Called at intervals that grow with the time it takes, so that it costs no more than a few per cent.
   \exception DataError : If frames that are there cannot be made again: another version made them.
 */
 void completeRun(const Experiment &experiment, const Settings &settings, const Progress &progress, const Keep &keep,

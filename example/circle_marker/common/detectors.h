@@ -43,7 +43,7 @@ struct Sighting
 class CircleDetector
 {
 public:
-  /*! \param size : Outer diameter of the ring, metres. */
+  /*! \e size: Outer diameter of the ring, metres. */
   CircleDetector(const vpCircleMarkerFamily &family, double size);
 
   /*! Looks for the marker of an id, -1 in a family without code. */

@@ -33,10 +33,10 @@ public:
   void addParagraph(const std::string &text);
   /*! Lines as they are: a command. */
   void addListing(const std::string &text);
-  /*! \param rows : Each with as many cells as there are titles; the first cell names the row. */
+  /*! \e rows: Each with as many cells as there are titles; the first cell names the row. */
   void addTable(const std::string &caption, const std::vector<std::string> &titles,
                 const std::vector<std::vector<std::string>> &rows);
-  /*! \param file : Name of an SVG file in the document's folder. */
+  /*! \e file: Name of an SVG file in the document's folder. */
   void addFigure(const std::string &file, const std::string &caption);
 
   /*! A whole page in one file, but for the figures. */

@@ -36,8 +36,8 @@ void writeWhole(const std::string &folder, const std::string &name, const std::s
 
 /*!
   Has gnuplot draw a script's plots in the folder of the script.
-  \param script : Name of the script, which adds the variable `suffix` to the names of the files it writes.
-  \param plots : Names of these files; older ones are replaced.
+  \e script: Name of the script, which adds the variable `suffix` to the names of the files it writes.
+  \e plots: Names of these files; older ones are replaced.
   \exception std::runtime_error : If gnuplot is missing or fails.
 */
 void drawPlots(const std::string &folder, const std::string &script, const std::vector<std::string> &plots);

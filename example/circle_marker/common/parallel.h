@@ -31,9 +31,9 @@ using Worker = std::function<void(std::size_t item)>;
 /*!
   Works on the items 0 to count - 1, in this order as far as one thread is concerned.
 
-  \param makeWorker : Called once in each thread; what it returns works on that thread's items and may own what cannot
+  \e makeWorker: Called once in each thread; what it returns works on that thread's items and may own what cannot
   be shared, such as a simulated camera and detectors.
-  \param progress : May be empty.
+  \e progress: May be empty.
   \exception : The first exception of a worker, once all threads have stopped.
 */
 void forEachItem(std::size_t count, unsigned int threads, const std::function<Worker()> &makeWorker,

@@ -25,7 +25,7 @@ namespace common {
 /*!
   Runs a program's work.
 
-  \param name : The program's name, which begins what it says about errors.
+  \e name: The program's name, which begins what it says about errors.
   \return The exit status: what \e work returns (0 done, 1 an input could not be used), 1 after an exception, 2 after a
   UsageError.
 */

@@ -32,8 +32,6 @@ BEGIN_VISP_NAMESPACE
 using namespace circle_marker;
 
 namespace {
-// Points of the polygon that vpDetectorBase keeps of each object.
-constexpr unsigned int polygonPoints = 36;
 // Size of a marker whose size was not told: poses are then in units of its diameter.
 constexpr double unitSize = 1.;
 
@@ -242,7 +240,7 @@ vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCan
     return std::nullopt;
   }
   return Found{reportOf(marker, *measurement, visit.camera, outline.support, settings.zAlignedWithCameraAxis), marker,
-               outline, outlineOf(measurement->first.plane, visit.camera, polygonPoints)};
+               outline, outlineOf(marker, measurement->first.plane, visit.camera, polygonPoints)};
 }
 
 /*!
@@ -288,6 +286,7 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   return reportOf(*marker, *measurement, camera, known.outline.support, settings.zAlignedWithCameraAxis);
 }
 
+/*! The marker of an index; throws vpException::badValue if there is none. */
 const vpDetectorCircleMarker::Impl::Found &vpDetectorCircleMarker::Impl::at(std::size_t index) const
 {
   if (index >= found.size()) {
@@ -298,7 +297,7 @@ const vpDetectorCircleMarker::Impl::Found &vpDetectorCircleMarker::Impl::at(std:
 }
 
 /*!
-  \param family : Family to look for.
+  \param family : Family to look for. It can be replaced later by setFamily() or setFamilies().
 */
 vpDetectorCircleMarker::vpDetectorCircleMarker(const vpCircleMarkerFamily &family) : m_impl(new Impl)
 {
@@ -313,11 +312,19 @@ vpDetectorCircleMarker::vpDetectorCircleMarker(vpCircleMarkerFamily::vpType fami
 {
 }
 
+/*!
+  Copies settings and results.
+  \param other : Detector to copy.
+*/
 vpDetectorCircleMarker::vpDetectorCircleMarker(const vpDetectorCircleMarker &other)
     : vpDetectorBase(other), m_impl(new Impl(*other.m_impl))
 {
 }
 
+/*!
+  Copies settings and results.
+  \param other : Detector to copy.
+*/
 vpDetectorCircleMarker &vpDetectorCircleMarker::operator=(const vpDetectorCircleMarker &other)
 {
   if (this != &other) {

@@ -17,6 +17,8 @@
 
 #include "vpDetectorCircleMarkerImpl.h"
 
+#include <cmath>
+
 #include <visp3/core/vpException.h>
 
 BEGIN_VISP_NAMESPACE
@@ -96,11 +98,47 @@ std::vector<int> vpDetectorCircleMarker::getTagsId() const
 }
 
 /*!
-  \return For each marker, points along the image of its outer edge, pixels. Named as in vpDetectorAprilTag.
+  \return For each marker, 36 points along the image of its outer edge, pixels, of which getTagsPoints3D() tells the
+  places in the marker frame. Named as in vpDetectorAprilTag, whose tags have four corners.
 */
 std::vector<std::vector<vpImagePoint>> vpDetectorCircleMarker::getTagsCorners() const
 {
   return m_polygon;
+}
+
+/*!
+  Where the points of getTagsCorners() are in the marker frame, metres. The first is on its x axis, and they follow each
+  other clockwise as a viewer sees the print. Named as in vpDetectorAprilTag.
+
+  \param tagsId : Identities of the markers: getTagsId().
+  \param tagsSize : Outer diameter of the ring, metres, by identity; that of -1 is for all that are not named.
+  \return For each marker, as many points as it has in getTagsCorners(), in the same order.
+  \exception vpException::badValue : If a marker has no size, or one that is not positive.
+*/
+std::vector<std::vector<vpPoint>> vpDetectorCircleMarker::getTagsPoints3D(const std::vector<int> &tagsId,
+                                                                          const std::map<int, double> &tagsSize) const
+{
+  const double down = m_impl->settings.zAlignedWithCameraAxis ? 1. : -1.; // the y axis seen by a viewer
+  std::vector<std::vector<vpPoint>> markers;
+  for (const int id : tagsId) {
+    auto size = tagsSize.find(id);
+    if (size == tagsSize.end()) {
+      size = tagsSize.find(-1);
+    }
+    if (size == tagsSize.end()) {
+      throw vpException(vpException::badValue,
+                        "vpDetectorCircleMarker: the marker with id %d has no size, nor is there one for all (id -1)",
+                        id);
+    }
+    circle_marker::checkMarkerSize(size->second);
+    std::vector<vpPoint> points;
+    for (unsigned int i = 0; i < Impl::polygonPoints; ++i) {
+      const double angle = 2. * M_PI * i / Impl::polygonPoints;
+      points.emplace_back(0.5 * size->second * std::cos(angle), 0.5 * size->second * down * std::sin(angle), 0.);
+    }
+    markers.push_back(points);
+  }
+  return markers;
 }
 
 /*!
@@ -238,6 +276,14 @@ void vpDetectorCircleMarker::setRefinePose(bool refine)
 void vpDetectorCircleMarker::setZAlignedWithCameraAxis(bool aligned)
 {
   m_impl->settings.zAlignedWithCameraAxis = aligned;
+}
+
+/*!
+  \return Whether the marker's z axis points into the marker: see setZAlignedWithCameraAxis().
+*/
+bool vpDetectorCircleMarker::isZAlignedWithCameraAxis() const
+{
+  return m_impl->settings.zAlignedWithCameraAxis;
 }
 
 /*!

@@ -35,6 +35,15 @@ void displayOutlines(const vpImage<Pixel> &I, const std::vector<std::vector<vpIm
 }
 
 template <class Pixel>
+void displayPolygons(const vpImage<Pixel> &I, const std::vector<std::vector<vpImagePoint>> &polygons,
+                     const vpColor &color, unsigned int thickness)
+{
+  for (const std::vector<vpImagePoint> &polygon : polygons) {
+    vpDisplay::displayPolygon(I, polygon, color == vpColor::none ? vpColor::green : color, thickness);
+  }
+}
+
+template <class Pixel>
 void displayAllFrames(const vpImage<Pixel> &I, const std::vector<vpHomogeneousMatrix> &poses,
                       const vpCameraParameters &cam, double size, const vpColor &color, unsigned int thickness)
 {
@@ -85,6 +94,28 @@ void vpDetectorCircleMarker::displayTags(const vpImage<unsigned char> &I, const 
 void vpDetectorCircleMarker::displayTags(const vpImage<vpRGBa> &I, const vpColor &color, unsigned int thickness) const
 {
   displayOutlines(I, m_polygon, m_message, getDetections(), color, thickness);
+}
+
+/*!
+  Draws outlines that were kept, as vpDetectorAprilTag does.
+  \param I : Image with a display.
+  \param tagsCorners : What getTagsCorners() gave.
+  \param color : Colour of the outlines; vpColor::none for green.
+  \param thickness : Of the lines, pixels.
+*/
+void vpDetectorCircleMarker::displayTags(const vpImage<unsigned char> &I,
+                                         const std::vector<std::vector<vpImagePoint>> &tagsCorners,
+                                         const vpColor &color, unsigned int thickness) const
+{
+  displayPolygons(I, tagsCorners, color, thickness);
+}
+
+/*! The same for a colour image. */
+void vpDetectorCircleMarker::displayTags(const vpImage<vpRGBa> &I,
+                                         const std::vector<std::vector<vpImagePoint>> &tagsCorners,
+                                         const vpColor &color, unsigned int thickness) const
+{
+  displayPolygons(I, tagsCorners, color, thickness);
 }
 
 END_VISP_NAMESPACE

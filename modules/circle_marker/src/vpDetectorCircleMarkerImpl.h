@@ -28,15 +28,19 @@
 #include "decode/recognise.h"
 #include "ellipse/outlines.h"
 #include "refine/measure.h"
-#include "support/detector_settings.h"
+#include "detector_settings.h"
 #include "support/workers.h"
 #include "track/marker_tracks.h"
 
 BEGIN_VISP_NAMESPACE
 
+/*! What a detector keeps: settings, results of the last image, working memory. */
 class vpDetectorCircleMarker::Impl
 {
 public:
+  //! Points of the polygon that vpDetectorBase keeps of each object: every 10 degrees.
+  static constexpr unsigned int polygonPoints = 36;
+
   /*! What is kept of a detected marker, to measure it again with another camera or size. */
   struct Found
   {

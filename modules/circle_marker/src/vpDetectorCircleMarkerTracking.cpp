@@ -112,6 +112,7 @@ void vpDetectorCircleMarker::Impl::keepSeen(const Outlines &outlines)
   }
 }
 
+/*! The next image is searched as if it were the first. */
 void vpDetectorCircleMarker::Impl::forgetTracks()
 {
   m_tracks.clear();

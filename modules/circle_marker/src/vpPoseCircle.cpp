@@ -46,8 +46,16 @@ vpPoseCircle::vpPoseCircle(double radius) : vpPoseCircle()
   setRadius(radius);
 }
 
+/*!
+  Copies settings, measurements and results.
+  \param other : Object to copy.
+*/
 vpPoseCircle::vpPoseCircle(const vpPoseCircle &other) : m_impl(std::make_unique<Impl>(*other.m_impl)) {}
 
+/*!
+  Copies settings, measurements and results.
+  \param other : Object to copy.
+*/
 vpPoseCircle &vpPoseCircle::operator=(const vpPoseCircle &other)
 {
   *m_impl = *other.m_impl;

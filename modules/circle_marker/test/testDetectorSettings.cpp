@@ -23,7 +23,7 @@
 
 #include <visp3/core/vpException.h>
 
-#include "support/detector_settings.h"
+#include "detector_settings.h"
 
 using namespace circle_marker;
 using namespace room_test;

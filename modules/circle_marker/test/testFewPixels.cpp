@@ -15,10 +15,10 @@
  * The few pixels of the first steps.
  */
 
+#include "testPatternDistance.h"
 #include "testRoomTools.h"
 
 #include "refine/few_pixels.h"
-#include "refine/pattern_distance.h"
 
 using namespace circle_marker;
 using namespace room_test;

@@ -15,12 +15,12 @@
  * The choice of the pixels that a pose is fitted to.
  */
 
+#include "testPatternDistance.h"
 #include "testRoomTools.h"
 
 #include <set>
 
 #include "refine/fit_pixels.h"
-#include "refine/pattern_distance.h"
 
 using namespace circle_marker;
 using namespace room_test;

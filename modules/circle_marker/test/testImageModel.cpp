@@ -15,10 +15,10 @@
  * The image model against brute-force integration, and its derivatives against finite differences.
  */
 
+#include "testPatternDistance.h"
 #include "testRoomTools.h"
 
 #include "refine/image_model.h"
-#include "refine/pattern_distance.h"
 #include "support/camera_model.h"
 
 using namespace circle_marker;

@@ -17,7 +17,7 @@
 
 #include "testRoomTools.h"
 
-#include "refine/pattern_distance.h"
+#include "refine/plane_point.h"
 #include "refine/plane_lanes.h"
 #include "support/camera_model.h"
 

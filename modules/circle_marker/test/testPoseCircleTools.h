@@ -30,6 +30,8 @@
 
 #include <visp3/core/vpHomogeneousMatrix.h>
 
+#include "testRandom.h"
+
 #ifdef ENABLE_VISP_NAMESPACE
 using namespace VISP_NAMESPACE_NAME;
 #endif
@@ -39,18 +41,8 @@ namespace pose_circle_test {
 using Vector3 = Eigen::Matrix<long double, 3, 1>;
 using Matrix3 = Eigen::Matrix<long double, 3, 3>;
 
-//! Random numbers that depend on the running test's name and nothing else.
-inline std::mt19937_64 randomOfTest()
-{
-  const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  std::seed_seq seed(name.begin(), name.end());
-  return std::mt19937_64(seed);
-}
-
-inline double uniform(std::mt19937_64 &random, double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
+using random_test::randomOfTest;
+using random_test::uniform;
 
 //! A circle in front of a camera.
 struct View

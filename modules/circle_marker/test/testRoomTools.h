@@ -22,11 +22,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -36,27 +33,16 @@
 #include <visp3/core/vpImage.h>
 
 #include "pose/marker_plane.h"
+#include "testRandom.h"
 
 #ifdef ENABLE_VISP_NAMESPACE
 using namespace VISP_NAMESPACE_NAME;
 #endif
 
 namespace room_test {
-using Random = std::mt19937_64;
-
-//! Random numbers that depend on the running test's name and nothing else.
-inline Random randomOfTest()
-{
-  const auto *info = ::testing::UnitTest::GetInstance()->current_test_info();
-  const std::string name = std::string(info->test_suite_name()) + "." + info->name();
-  std::seed_seq seed(name.begin(), name.end());
-  return Random(seed);
-}
-
-inline double uniform(Random &random, double low, double high)
-{
-  return std::uniform_real_distribution<double>(low, high)(random);
-}
+using random_test::Random;
+using random_test::randomOfTest;
+using random_test::uniform;
 
 /*!
   An image as numbers before the sensor: what a scene of the plane gives through a Gaussian blur and square pixels.
@@ -254,8 +240,8 @@ inline Eigen::Matrix3d turn(double angle, const Eigen::Vector3d &axis)
 
 /*!
   A marker near the middle of a square image.
-  \param diameter : Of its ring in the image if it were seen frontally, pixels.
-  \param tilt : Angle between normal and optical axis, rad.
+  \e diameter: Of its ring in the image if it were seen frontally, pixels.
+  \e tilt: Angle between normal and optical axis, rad.
 */
 inline MarkerScene markerScene(Random &random, const vpCircleMarkerFamily &family, int id, double diameter, double tilt,
                                unsigned int side)

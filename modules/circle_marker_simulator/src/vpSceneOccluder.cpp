@@ -45,14 +45,24 @@ vpSceneOccluder::vpSceneOccluder(const std::vector<vpImagePoint> &corners, doubl
   }
 }
 
-/*! A polygon that does not cross itself, by its corners in pixels. \param grey : grey level. */
+/*!
+  A polygon that does not cross itself.
+  \param corners : Its corners, pixels.
+  \param grey : Grey level.
+  \exception vpException::badValue : If the corners span no area or are not finite.
+*/
 vpSceneOccluder vpSceneOccluder::polygon(const std::vector<vpImagePoint> &corners, double grey)
 {
   return vpSceneOccluder(corners, grey);
 }
 
-/*! A straight bar with square ends between two points, in pixels. \param width : in pixels. \param grey : grey level.
- */
+/*!
+  A straight bar with square ends between two points.
+  \param from, to : The points, pixels.
+  \param width : Of the bar, pixels.
+  \param grey : Grey level.
+  \exception vpException::badValue : If the points are one, or the width is not positive.
+*/
 vpSceneOccluder vpSceneOccluder::bar(const vpImagePoint &from, const vpImagePoint &to, double width, double grey)
 {
   const double du = to.get_u() - from.get_u();

@@ -30,10 +30,8 @@ namespace {
 
 // Default print: a ring of 180 mm on a square of 210 mm, that is a margin of a sixth of the ring's radius.
 constexpr double DEFAULT_QUIET_ZONE = 1. / 6.;
-// Ratio of the coded families' ring: black from 0.80 to 1.00 of the outer radius.
-constexpr double CODED_RING_RATIO = 0.80;
-// Plain ring, when no other ratio is asked for: the one of the thesis this project began with.
-constexpr double PLAIN_RING_RATIO = 0.70;
+// Ratio of the ring, with a code or, unless another is asked for, without: black from 0.80 to 1.00 of the outer radius.
+constexpr double RING_RATIO = 0.80;
 // Half of the narrowest white sector (31 sectors, inner radius of the track 0.4) is 0.0405 of the radius.
 constexpr double MOST_INK_SPREAD = 0.02;
 // Largest height of a bent sheet's arc, as a share of its side: an arc of 46 degrees, which no wall has.
@@ -53,7 +51,7 @@ vpSimulatedMarker::vpSimulatedMarker(const std::string &family, int id, double w
 /*!
   A circular marker on a square sheet with the default quiet zone.
 
-  \param family : "golay23", "bch31", "bch31r", "ring" (ratio 0.7) or "disc".
+  \param family : "golay23", "bch31", "bch31r", "ring" (ratio 0.8) or "disc".
   \param id : number of the marker; not used (-1) by ring and disc.
   \param size : outer diameter of the black ring, in metres.
   \exception vpException::badValue : unknown family or id, size not positive.
@@ -61,7 +59,7 @@ vpSimulatedMarker::vpSimulatedMarker(const std::string &family, int id, double w
 vpSimulatedMarker vpSimulatedMarker::circle(const std::string &family, int id, double size)
 {
   if (family == "ring") {
-    return ring(size, PLAIN_RING_RATIO);
+    return ring(size, RING_RATIO);
   }
   if (family == "disc") {
     return disc(size);
@@ -72,7 +70,7 @@ vpSimulatedMarker vpSimulatedMarker::circle(const std::string &family, int id, d
                       static_cast<int>(words.size()) - 1, id);
   }
   vpSimulatedMarker marker(family, id, size, size);
-  marker.m_ringRatio = CODED_RING_RATIO;
+  marker.m_ringRatio = RING_RATIO;
   marker.m_sectors = sectors(family);
   marker.m_codeword = words[id];
   return marker.setQuietZone(DEFAULT_QUIET_ZONE);

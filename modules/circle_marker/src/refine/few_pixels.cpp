@@ -20,7 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "refine/pattern_distance.h"
+#include "refine/plane_point.h"
 #include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE

@@ -22,7 +22,7 @@
 #include <cmath>
 
 #include "refine/lanes.h"
-#include "refine/pattern_distance.h"
+#include "refine/plane_point.h"
 #include "refine/surround.h"
 #include "support/normal_distribution.h"
 

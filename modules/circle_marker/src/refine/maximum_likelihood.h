@@ -91,8 +91,8 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
                                   const MarkerPattern &pattern, const FitSettings &settings, FitMemory &memory);
 
 /*!
-  Robust sum of squared residuals at a given noise, so that two fits can be compared.
-  \param surround : Photometry by which the surround is judged: the same for all fits.
+  Robust sum of squared residuals at a given noise, so that two fits can be compared. The surround is judged by the
+  photometry \e surround, which is the same for all fits.
 */
 double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
                      const Photometry &surround, double noise, FitMemory &memory);

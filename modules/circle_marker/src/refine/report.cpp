@@ -31,9 +31,9 @@ constexpr unsigned int outlinePoints = 64;
 constexpr double unknownAngleVariance = M_PI * M_PI / 3.;
 
 // A marker without a code has no spin of its own: it gets that of the convention, whatever the refinement did.
-MarkerPlane withConventionalSpin(const MarkerPlane &plane)
+MarkerPlane withReportedSpin(const Recognition &marker, const MarkerPlane &plane)
 {
-  return planeOf({plane.center, plane.rotation.col(2)}, plane.radius);
+  return marker.family.isCoded() ? plane : planeOf({plane.center, plane.rotation.col(2)}, plane.radius);
 }
 
 vpHomogeneousMatrix poseOf(const MarkerPlane &plane, bool zAligned)
@@ -102,12 +102,14 @@ vpImageEllipse ellipseOf(const MarkerPlane &plane, const CameraModel &camera)
 }
 } // namespace
 
-std::vector<vpImagePoint> outlineOf(const MarkerPlane &plane, const CameraModel &camera, unsigned int count)
+std::vector<vpImagePoint> outlineOf(const Recognition &marker, const MarkerPlane &plane, const CameraModel &camera,
+                                    unsigned int count)
 {
+  const MarkerPlane reported = withReportedSpin(marker, plane);
   std::vector<vpImagePoint> outline;
   outline.reserve(count);
   for (unsigned int i = 0; i < count; ++i) {
-    const Eigen::Vector2d p = outlinePoint(plane, camera, i, count);
+    const Eigen::Vector2d p = outlinePoint(reported, camera, i, count);
     outline.emplace_back(p.y(), p.x());
   }
   return outline;
@@ -117,9 +119,7 @@ vpCircleMarkerDetection reportOf(const Recognition &marker, const Measurement &m
                                  double visible, bool zAligned)
 {
   const bool spinIsKnown = marker.family.isCoded();
-  const auto framed = [&](const MarkerPlane &plane) {
-    return poseOf(spinIsKnown ? plane : withConventionalSpin(plane), zAligned);
-  };
+  const auto framed = [&](const MarkerPlane &plane) { return poseOf(withReportedSpin(marker, plane), zAligned); };
   const MarkerPlane &plane = measurement.first.plane;
   vpCircleMarkerDetection detection;
   detection.family = marker.family;

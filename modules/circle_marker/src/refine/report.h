@@ -34,8 +34,12 @@ namespace circle_marker {
 vpCircleMarkerDetection reportOf(const Recognition &marker, const Measurement &measurement, const CameraModel &camera,
                                  double visible, bool zAligned);
 
-/*! Points along the image of the ring's outer edge, pixels. */
-std::vector<vpImagePoint> outlineOf(const MarkerPlane &plane, const CameraModel &camera, unsigned int count);
+/*!
+  Points along the image of the ring's outer edge, pixels: point i is at the angle 2 pi i / count from the x axis of the
+  reported marker frame toward the y axis of the one whose z axis points into the marker.
+*/
+std::vector<vpImagePoint> outlineOf(const Recognition &marker, const MarkerPlane &plane, const CameraModel &camera,
+                                    unsigned int count);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

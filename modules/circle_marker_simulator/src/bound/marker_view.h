@@ -81,6 +81,7 @@ class MarkerView
 {
 public:
   /*!
+    \param marker, cam, photometry : what is seen, by which camera, in which light.
     \param poses : the view holds the marker and all that blurs into its edges at these poses, and a little more.
     \param step : greatest motion of the marker's outer edge for a difference, in pixels.
     \exception vpException::badValue : the marker is too large in the image, or cannot be seen.

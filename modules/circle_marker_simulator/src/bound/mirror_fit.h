@@ -41,6 +41,7 @@ vpHomogeneousMatrix mirrored(const vpHomogeneousMatrix &cMo);
   deviations of the noise, where a few per cent do not matter. Where the second fit runs back to the side of the
   true normal, the two poses have one minimum in common, and the first fit is returned.
 
+  \param view : what the camera sees of the marker.
   \param weights : inverse of each pixel's variance.
   \param truth : the true state.
   \param hasSpin : whether the spin can be seen.

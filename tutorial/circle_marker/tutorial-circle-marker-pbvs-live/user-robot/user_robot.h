@@ -28,7 +28,7 @@
 namespace tutorial {
 /*!
   Makes the robot that carries the camera, ready to take velocities. Write this function for your robot in a file of
-  your own, and give it to CMake: -DCIRCLE_MARKER_ROBOT_SOURCE=<the file>. user_robot.cpp is an example.
+  your own, and give it to CMake: -DCIRCLE_MARKER_ROBOT_SOURCE=my_robot.cpp. user_robot.cpp is an example.
 
   The program uses two functions of it: setRobotState() with STATE_VELOCITY_CONTROL at the start and STATE_STOP at the
   end, and setVelocity(vpRobot::CAMERA_FRAME, v) with v in m/s and rad/s after each image; zeros when no marker is

@@ -87,6 +87,7 @@ public:
   void save(const std::string &filename) const;
 
   void add(const vpCircleMarkerEntry &entry);
+  /*! Forgets all markers. */
   void clear() { m_entries.clear(); }
 
   const vpCircleMarkerEntry *find(const vpCircleMarkerFamily &family, int id) const;

@@ -85,6 +85,7 @@ public:
   static vpCircleMarkerFamily ring(double ratio);
   static std::vector<vpCircleMarkerFamily> all();
 
+  /*! Which family it is. */
   vpType getType() const { return m_type; }
   std::string getName() const;
   bool isCoded() const;
@@ -92,6 +93,7 @@ public:
   unsigned int getNbIds() const;
   unsigned int getMinimumDistance() const;
   std::uint32_t getGenerator() const;
+  /*! Radii of its parts, in units of the ring's outer radius. */
   const vpCircleMarkerLayout &getLayout() const { return m_layout; }
   vpCircleMarkerFamily withLayout(const vpCircleMarkerLayout &layout) const;
   std::uint32_t getCodeword(int id) const;

@@ -36,6 +36,7 @@
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpColor.h>
 #include <visp3/core/vpImage.h>
+#include <visp3/core/vpPoint.h>
 #include <visp3/core/vpRGBa.h>
 #include <visp3/core/vpRect.h>
 #include <visp3/detection/vpDetectorBase.h>
@@ -99,6 +100,8 @@ public:
   unsigned int getNbOutlines() const;
   std::vector<int> getTagsId() const;
   std::vector<std::vector<vpImagePoint>> getTagsCorners() const;
+  std::vector<std::vector<vpPoint>> getTagsPoints3D(const std::vector<int> &tagsId,
+                                                    const std::map<int, double> &tagsSize) const;
   std::vector<int> getTagsHammingDistance() const;
   std::vector<float> getTagsDecisionMargin() const;
   //@}
@@ -117,6 +120,7 @@ public:
   void setTracking(bool tracking, unsigned int fullSearchPeriod = 10);
   void setRefinePose(bool refine);
   void setZAlignedWithCameraAxis(bool aligned);
+  bool isZAlignedWithCameraAxis() const;
   void loadConfigFile(const std::string &filename);
   void saveConfigFile(const std::string &filename) const;
   //@}
@@ -141,6 +145,10 @@ public:
   void displayTags(const vpImage<unsigned char> &I, const vpColor &color = vpColor::none,
                    unsigned int thickness = 2) const;
   void displayTags(const vpImage<vpRGBa> &I, const vpColor &color = vpColor::none, unsigned int thickness = 2) const;
+  void displayTags(const vpImage<unsigned char> &I, const std::vector<std::vector<vpImagePoint>> &tagsCorners,
+                   const vpColor &color = vpColor::none, unsigned int thickness = 1) const;
+  void displayTags(const vpImage<vpRGBa> &I, const std::vector<std::vector<vpImagePoint>> &tagsCorners,
+                   const vpColor &color = vpColor::none, unsigned int thickness = 1) const;
   //@}
 
 private:

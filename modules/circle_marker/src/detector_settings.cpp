@@ -15,7 +15,7 @@
  * Settings of the circular marker detector, as a JSON file.
  */
 
-#include "support/detector_settings.h"
+#include "detector_settings.h"
 
 #include <cmath>
 

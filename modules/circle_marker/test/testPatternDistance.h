@@ -15,31 +15,32 @@
  * Distance of a pixel to the edges of a print.
  */
 
-#include "refine/pattern_distance.h"
+#ifndef VP_TEST_PATTERN_DISTANCE_H
+#define VP_TEST_PATTERN_DISTANCE_H
 
 #include <algorithm>
 #include <cmath>
 
-BEGIN_VISP_NAMESPACE
-namespace circle_marker {
-PlanePoint planePoint(const ModelPixel &pixel, const MarkerPlane &plane)
-{
-  const Eigen::Vector3d ray(pixel.meter.x(), pixel.meter.y(), 1.);
-  const Eigen::Vector3d normal = plane.rotation.col(2);
-  const double slope = normal.dot(ray);
-  const double depth = normal.dot(plane.center) / slope;
-  const Eigen::Vector3d m = depth * ray - plane.center;
-  PlanePoint point;
-  for (int axis = 0; axis < 2; ++axis) {
-    const Eigen::Vector3d e = plane.rotation.col(axis);
-    point.q[axis] = e.dot(m) / plane.radius;
-    const Eigen::Vector3d byRay = depth * (e - e.dot(ray) / slope * normal) / plane.radius;
-    point.byPixel.row(axis) = byRay.head<2>().transpose() * pixel.meterPerPixel;
-  }
-  return point;
-}
+#include "refine/plane_point.h"
 
-PatternDistance distanceToPattern(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern)
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
+
+namespace room_test {
+using namespace circle_marker;
+
+/*! Where a pixel lies on the pattern. */
+struct PatternDistance
+{
+  double toEdges = 0.;        //!< Distance to the nearest edge, pixels, to first order.
+  double radius = 0.;         //!< Distance to the marker's centre, in units of the outer radius.
+  double radiusPerPixel = 0.; //!< Length of its gradient in the image.
+};
+
+/*! Where a pixel lies on the pattern at a pose. */
+inline PatternDistance distanceToPattern(const ModelPixel &pixel, const MarkerPlane &plane,
+                                         const MarkerPattern &pattern)
 {
   const PlanePoint point = planePoint(pixel, plane);
   PatternDistance distance;
@@ -70,5 +71,6 @@ PatternDistance distanceToPattern(const ModelPixel &pixel, const MarkerPlane &pl
   }
   return distance;
 }
-} // namespace circle_marker
-END_VISP_NAMESPACE
+} // namespace room_test
+
+#endif

@@ -12,11 +12,11 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Distance of a pixel to the edges of a print.
+ * Where a pixel lies on a marker.
  */
 
-#ifndef VP_CIRCLE_MARKER_PATTERN_DISTANCE_H
-#define VP_CIRCLE_MARKER_PATTERN_DISTANCE_H
+#ifndef VP_CIRCLE_MARKER_PLANE_POINT_H
+#define VP_CIRCLE_MARKER_PLANE_POINT_H
 
 #include "refine/fit_pixels.h"
 
@@ -31,17 +31,6 @@ struct PlanePoint
 
 /*! Where the ray through a pixel meets the marker's plane. */
 PlanePoint planePoint(const ModelPixel &pixel, const MarkerPlane &plane);
-
-/*! Where a pixel lies on the pattern. */
-struct PatternDistance
-{
-  double toEdges = 0.;        //!< Distance to the nearest edge, pixels, to first order.
-  double radius = 0.;         //!< Distance to the marker's centre, in units of the outer radius.
-  double radiusPerPixel = 0.; //!< Length of its gradient in the image.
-};
-
-/*! Where a pixel lies on the pattern at a pose. */
-PatternDistance distanceToPattern(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -1,0 +1,39 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Where a pixel lies on a marker.
+ */
+
+#include "refine/plane_point.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+PlanePoint planePoint(const ModelPixel &pixel, const MarkerPlane &plane)
+{
+  const Eigen::Vector3d ray(pixel.meter.x(), pixel.meter.y(), 1.);
+  const Eigen::Vector3d normal = plane.rotation.col(2);
+  const double slope = normal.dot(ray);
+  const double depth = normal.dot(plane.center) / slope;
+  const Eigen::Vector3d m = depth * ray - plane.center;
+  PlanePoint point;
+  for (int axis = 0; axis < 2; ++axis) {
+    const Eigen::Vector3d e = plane.rotation.col(axis);
+    point.q[axis] = e.dot(m) / plane.radius;
+    const Eigen::Vector3d byRay = depth * (e - e.dot(ray) / slope * normal) / plane.radius;
+    point.byPixel.row(axis) = byRay.head<2>().transpose() * pixel.meterPerPixel;
+  }
+  return point;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
