@@ -31,16 +31,6 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-void checkMarkerSize(double size)
-{
-  if (!(size > 0.) || !std::isfinite(size)) {
-    throw vpException(vpException::badValue,
-                      "vpDetectorCircleMarker: the marker size is %g; it is the outer diameter of the ring in metres "
-                      "and must be positive",
-                      size);
-  }
-}
-
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
 namespace {
 using Json = nlohmann::json;

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "decode/identify.h"
+#include "support/marker_size.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -38,9 +39,6 @@ struct DetectorSettings
   bool tracking = false;                      //!< Whether markers are looked for near the places they had.
   unsigned int fullSearchPeriod = 10;         //!< Tracking: every so many images, the whole one is searched.
 };
-
-/*! Throws vpException::badValue unless a marker's size is positive and finite. */
-void checkMarkerSize(double size);
 
 /*!
   Reads settings from a JSON file; what it does not name stays as in \e settings.

@@ -22,7 +22,7 @@
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpPoseVector.h>
 
-#include "support/detector_settings.h"
+#include "support/marker_size.h"
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
 #include <cstdio>
 #include <fstream>
