@@ -70,11 +70,13 @@ private:
     FitPixel pixel;
     pixel.model = {m_camera.toMeter(where), m_camera.meterPerPixel(where)};
     const double radius = m_plane.intersect(pixel.model.meter).norm();
-    pixel.surround = NormalDistribution::instance().at((radius - m_outermost) / (gradient * m_blur)).cumulative;
-    if (pixel.surround > mostSurround) {
+    // Nobody has looked there.
+    BeyondPaper &beyond = pixel.beyond[static_cast<std::size_t>(PaperShape::ROUND)];
+    beyond.spread = HUGE_VAL;
+    beyond.share = NormalDistribution::instance().at((radius - m_outermost) / (gradient * m_blur)).cumulative;
+    if (beyond.share > mostSurround) {
       return;
     }
-    pixel.beyondSpread = HUGE_VAL;
     pixel.offset = (where - m_center) / m_size;
     pixel.grey = m_image[static_cast<unsigned int>(where.y())][static_cast<unsigned int>(where.x())];
     m_pixels.push_back(pixel);

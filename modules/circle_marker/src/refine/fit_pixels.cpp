@@ -212,11 +212,17 @@ private:
 class SurroundShare
 {
 public:
+  // knowsAxes: whether the axes of the marker's frame are known; sheets are printed along them.
   SurroundShare(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                std::size_t count, double outermost, double blur)
-      : m_planes(planes), m_count(count), m_outermost(outermost), m_blur(blur),
-        m_surround(surroundOf(I, camera, planes[0], outermost, blur))
+                std::size_t count, bool knowsAxes, double outermost, double blur)
+      : m_planes(planes), m_count(count), m_outermost(outermost),
+        m_blur(blur), m_papers{PaperEnd{PaperShape::ROUND, outermost, 0.},
+                               PaperEnd{PaperShape::SQUARE, outermost,
+                                        knowsAxes ? 0. : squareAngleOf(I, camera, planes[0], outermost)}}
   {
+    for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+      m_surrounds[shape] = surroundOf(I, camera, planes[0], m_papers[shape], blur);
+    }
   }
 
   // Whether the pixel sees enough of the marker.
@@ -227,20 +233,21 @@ public:
     }
     for (std::size_t i = 0; i < m_count; ++i) {
       const PlanePoint point = planePoint(pixel.model, m_planes[i]);
-      const double radius = point.q.norm();
-      if (radius < m_outermost - clearOfSurround * m_blur * point.byPixel.norm()) {
+      if (point.q.norm() < m_outermost - clearOfSurround * m_blur * point.byPixel.norm()) {
         continue;
       }
-      const double gradient = (point.byPixel.transpose() * (point.q / radius)).norm();
-      const double share = NormalDistribution::instance().at((radius - m_outermost) / (gradient * m_blur)).cumulative;
-      if (share > mostSurround) {
-        return false;
-      }
-      if (share > std::max(pixel.surround, leastSurround)) {
-        const unsigned int direction = Surround::directionOf(point.q);
-        pixel.surround = share;
-        pixel.beyond = static_cast<double>(m_surround.grey[direction]);
-        pixel.beyondSpread = static_cast<double>(m_surround.spread[direction]);
+      for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+        const Surround &surround = m_surrounds[shape];
+        const double share = shareOf(point, m_papers[shape]);
+        if (share > mostSurround) {
+          return false;
+        }
+        BeyondPaper &beyond = pixel.beyond[shape];
+        if (share > std::max(beyond.share, leastSurround)) {
+          const unsigned int direction = Surround::directionOf(point.q);
+          beyond = {share, static_cast<double>(surround.grey[direction]),
+                    static_cast<double>(surround.spread[direction])};
+        }
       }
     }
     return true;
@@ -258,12 +265,34 @@ public:
   }
 
 private:
+  // Share of what a pixel sees that lies beyond paper of a shape.
+  double shareOf(const PlanePoint &point, const PaperEnd &paper) const
+  {
+    const NormalDistribution &normal = NormalDistribution::instance();
+    if (paper.shape == PaperShape::ROUND) {
+      const double radius = point.q.norm();
+      const double gradient = (point.byPixel.transpose() * (point.q / radius)).norm();
+      return normal.at((radius - m_outermost) / (gradient * m_blur)).cumulative;
+    }
+    const Eigen::Vector2d q = paper.alongAxes(point.q);
+    const Eigen::Vector2d byU = paper.alongAxes(point.byPixel.col(0));
+    const Eigen::Vector2d byV = paper.alongAxes(point.byPixel.col(1));
+    double inside = 1.;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double distance = (paper.extent - std::abs(q[axis])) / std::hypot(byU[axis], byV[axis]);
+      inside *= normal.at(distance / m_blur).cumulative;
+    }
+    return 1. - inside;
+  }
+
+private:
   bool m_isNear = true;
   const MarkerPlane *m_planes;
   const std::size_t m_count;
   const double m_outermost;
   const double m_blur;
-  const Surround m_surround;
+  const std::array<PaperEnd, paperShapes> m_papers;
+  std::array<Surround, paperShapes> m_surrounds;
 };
 } // namespace
 
@@ -283,13 +312,13 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   // edges of a marker that is thinned know white and black well enough without its flat areas.
   const int keep = std::max(1, static_cast<int>(std::ceil(expected / most)));
   const int slant = static_cast<int>(std::lround(0.382 * keep));
-  SurroundShare surround(I, camera, planes, count, outermost, blur);
+  SurroundShare surround(I, camera, planes, count, pattern.sectors > 0, outermost, blur);
   std::array<Hypothesis, mostHypotheses> hypotheses = {
       {{planes[0], pattern, band}, {planes[count - 1], pattern, band}}};
   const auto add = [&](int u, int v, FitPixel &pixel) {
     const Eigen::Vector2d where(u, v);
     pixel.model.meter = camera.toMeter(where);
-    pixel.surround = 0.;
+    pixel.beyond = {};
     if (surround.complete(pixel)) {
       pixel.offset = (where - center) / size;
       pixel.grey = I[v][u];

@@ -22,6 +22,7 @@
 
 #include "pose/marker_plane.h"
 #include "refine/marker_pattern.h"
+#include "refine/photometry.h"
 #include "support/camera_model.h"
 
 #include <visp3/core/vpImage.h>
@@ -35,6 +36,14 @@ struct ModelPixel
   Eigen::Matrix2d meterPerPixel; //!< Their derivative with respect to the pixel.
 };
 
+/*! What a pixel sees of what lies beyond the paper. */
+struct BeyondPaper
+{
+  double share = 0.;  //!< Share of what it sees that may lie there, where anything may be.
+  double grey = 0.;   //!< Grey level seen farther out in that direction.
+  double spread = 0.; //!< And its standard deviation there: HUGE_VAL if nothing is seen.
+};
+
 /*! A pixel of the image with what the model needs of it. */
 struct FitPixel
 {
@@ -42,9 +51,7 @@ struct FitPixel
   Eigen::Vector2d offset =
       Eigen::Vector2d::Zero(); //!< From the marker's centre, in units of its image's size: for the light's gradient.
   double grey = 0.;            //!< Measured grey level.
-  double surround = 0.;        //!< Share of what it sees that may lie beyond the quiet zone, where anything may be.
-  double beyond = 0.;          //!< Grey level seen farther out in that direction.
-  double beyondSpread = 0.;    //!< And its standard deviation there: HUGE_VAL if nothing is seen.
+  std::array<BeyondPaper, paperShapes> beyond{}; //!< What may lie beyond the paper, by its shape.
 };
 
 /*!

@@ -28,11 +28,17 @@ namespace {
 constexpr float leastStretch = 0.8f;
 constexpr float mostStretch = 1.25f;
 constexpr float mostCurvature = 1.f;
+constexpr float leastFading = 0.4f;
+constexpr float mostFading = 2.f;
 // Terms of the tetrachoric series: as many as leave 2e-4 of the contrast, but no more than these.
 constexpr int mostCornerTerms = 10;
 constexpr double cornerPrecision = 2e-4;
 // Product of two densities below which a corner is not seen.
 constexpr float leastCorner = 1e-5f;
+// Edges that bend by less than this within the blur, in units of it, are straight at corners: 2e-4 of the contrast.
+constexpr float leastBend = 2e-3f;
+// Squared sine of the angle between two edges: corners are not sharper.
+constexpr float leastSquaredSine = 0.05f;
 // A block that is farther from an edge than this many standard deviations of the blur, to first order, does not see it.
 constexpr float farAway = 6.f;
 // Inner radius of a ring without one, in units of the outer: so far away that no pixel sees it.
@@ -44,6 +50,7 @@ struct CurvatureLanes
   Lanes perGradient;  // 1 / length of the radius' gradient in the image, pixels
   Lanes alongNormal;  // second derivative of the radius along the gradient, by the gradient, 1 / pixel
   Lanes alongTangent; // and along the circle
+  Lanes fading;       // share by which the circles' curvature falls on the way out, 1 / pixel
 };
 
 void curvatureOf(const PlaneLanes &p, CurvatureLanes &curvature)
@@ -56,6 +63,7 @@ void curvatureOf(const PlaneLanes &p, CurvatureLanes &curvature)
   const Lanes tangent = (hv * p.gradientU - hu * p.gradientV) * curvature.perGradient;
   curvature.alongNormal = normal * normal * perRadius * curvature.perGradient;
   curvature.alongTangent = tangent * tangent * perRadius * curvature.perGradient;
+  curvature.fading = p.gradient * perRadius + 3.f * curvature.alongNormal;
 }
 
 // An edge that none of the pixels sees: all are on the same side of it as this distance.
@@ -64,6 +72,7 @@ void seeNothing(const Lanes &distance, EdgeLanes &edge)
   edge.standardised = (1e30f * distance).max(-6.5f).min(6.5f);
   edge.normal.cumulative = (1e30f * distance).max(0.f).min(1.f);
   edge.normal.density.setZero();
+  edge.bend.setZero();
   edge.byRadius.setZero();
   edge.bySigma.setZero();
 }
@@ -79,13 +88,21 @@ void seeCircle(const PlaneLanes &p, const CurvatureLanes &curvature, float radiu
     return;
   }
   // Second-order distance along the gradient to the level set of the radius.
-  const Lanes stretch = (1.f - 0.5f * curvature.alongNormal * first).max(leastStretch).min(mostStretch);
+  const Lanes bow = curvature.alongNormal * first;
+  const Lanes stretch = (1.f - 0.5f * bow).max(leastStretch).min(mostStretch);
   const Lanes scaled = perSigma * first * stretch;
-  const Lanes shift = (0.5f * sigma) * curvature.alongTangent.min(mostCurvature * perSigma);
-  edge.standardised = blackSide * (scaled - shift) + growth * perSigma;
+  // Curvature where the edge is, in units of the blur: half of it is the mean, and its square half of the variance, of
+  // what the edge bends away within the blur.
+  const Lanes atEdge =
+      curvature.alongTangent * (1.f - curvature.fading * first * stretch).max(leastFading).min(mostFading);
+  const Lanes bend = (0.5f * sigma) * atEdge.min(mostCurvature * perSigma);
+  const Lanes squared = bend * bend;
+  edge.bend = blackSide * bend;
+  edge.standardised = blackSide * (scaled - bend) * (1.f - squared) + growth * perSigma;
   edge.normal = normalOf(edge.standardised);
-  edge.byRadius = (-blackSide * perSigma) * curvature.perGradient;
-  edge.bySigma = -perSigma * (blackSide * (scaled + shift) + growth * perSigma);
+  edge.byRadius =
+      (-blackSide * perSigma) * curvature.perGradient * (1.f - bow - squared).max(leastStretch).min(mostStretch);
+  edge.bySigma = -perSigma * (blackSide * (scaled * (1.f + squared) + bend) + growth * perSigma);
 }
 
 // Black between two circles.
@@ -132,6 +149,21 @@ CornerLanes cornerOf(const Lanes &a, const Lanes &b, const Lanes &density, const
   corner.byA *= density;
   corner.byB *= density;
   return corner;
+}
+
+// What the bend of the circular edge b adds to a corner. The edge's distance is less by bend t^2 at the place t along
+// it, on average over the black side of the straight edge, t < h = (a - rho b) / sqrt(1 - rho^2), by
+// bend (Phi(h) - h phi(h)) instead of bend Phi(h).
+void addBend(const Lanes &a, const Lanes &b, const Lanes &bend, const Lanes &isEdge, const Lanes &densityOfB,
+             const Lanes &rho, CornerLanes &corner)
+{
+  const Lanes perSine = (1.f - rho * rho).max(leastSquaredSine).rsqrt();
+  const Lanes h = ((a - rho * b) * perSine).max(-6.5f).min(6.5f);
+  const Lanes factor = isEdge * bend * densityOfB * 0.39894228f * (-0.5f * h * h).exp();
+  const Lanes byH = factor * (1.f - h * h) * perSine;
+  corner.value += factor * h;
+  corner.byA += byH;
+  corner.byB -= byH * rho + factor * h * b;
 }
 
 int cornerTermsFor(double rho)
@@ -200,7 +232,10 @@ void ImageModel::seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const Ed
   const Lanes aByAcross = perSigma * change * perGradient;
   const Lanes rho = (gu * p.gradientU + gv * p.gradientV) * perGradient * change / p.gradient;
   const auto meet = [&](const EdgeLanes &rim, const Lanes &correlation) {
-    const CornerLanes corner = cornerOf(a, rim.standardised, density * rim.normal.density, correlation, m_cornerTerms);
+    CornerLanes corner = cornerOf(a, rim.standardised, density * rim.normal.density, correlation, m_cornerTerms);
+    if (rim.bend.abs().maxCoeff() > leastBend) {
+      addBend(a, rim.standardised, rim.bend, isEdge, rim.normal.density, correlation, corner);
+    }
     const Lanes byRadius = corner.byB * rim.byRadius;
     corners.value += corner.value;
     corners.byX += corner.byA * aByAcross * acrossX + byRadius * p.outX;
@@ -283,6 +318,12 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
 }
 
 void ImageModel::evaluate(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const
+{
+  evaluateParabolas(block, sight, darkness);
+  darkness.value += block.correction;
+}
+
+void ImageModel::evaluateParabolas(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const
 {
   if (sight == PixelSight::RING || m_borders == 0) {
     evaluateAs<PixelSight::RING, 0>(block, darkness);

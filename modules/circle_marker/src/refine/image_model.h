@@ -47,6 +47,7 @@ struct EdgeLanes
 {
   Lanes standardised; //!< Distance in standard deviations of the blur, positive on the black side.
   NormalLanes normal; //!< Share of the black side, and its derivative by that distance.
+  Lanes bend;         //!< What the edge bends away within the blur, in units of it; positive around black.
   Lanes byRadius;     //!< Derivative of the distance by the radius, in the plane.
   Lanes bySigma;      //!< By the blur, 1 / pixel.
 };
@@ -80,6 +81,7 @@ public:
   void evaluate(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const;
 
 private:
+  void evaluateParabolas(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const;
   template <PixelSight sight, int borders> void evaluateAs(const PixelBlock &block, DarknessLanes &darkness) const;
   void seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner, const Lanes &acrossX,
                  const Lanes &acrossY, const Lanes &change, SumLanes &code, SumLanes &corners) const;

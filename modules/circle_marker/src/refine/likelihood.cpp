@@ -23,6 +23,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "refine/line_model.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
@@ -36,9 +38,17 @@ constexpr double sigmaOfQuantile = 0.7803;
 constexpr double leastContrast = 0.5;
 // Black grows by no more than this, pixels, and is expected to grow by none to this standard deviation.
 constexpr double growthPrior = 0.3;
-// The paper mostly ends where it may, or goes on in some directions.
-constexpr double expectedSurround = 0.75;
-constexpr double surroundPrior = 0.3;
+// The paper mostly ends where it may, at a square or, less often, at a circle, or goes on in some directions.
+constexpr std::array<double, paperShapes> expectedSurround = {{0.25, 0.5}};
+constexpr double surroundPrior = 0.5;
+// The share of the surround differs by no less than this from direction to direction, and is not known to differ by
+// more.
+constexpr double leastUneven = 0.03;
+constexpr double mostUneven = 0.3;
+// It shows where the surround may change a pixel by more than this many standard deviations of the noise, if there are
+// so many of these pixels.
+constexpr float clearSpread = 2.f;
+constexpr double leastClearPixels = 20.;
 // In the first guess of light and contrast, before the noise is known, a pixel with this variance, grey levels^2, from
 // the surround counts half.
 constexpr float guessedVariance = 25.f;
@@ -159,7 +169,7 @@ struct GreyLanes
 {
   Lanes light;
   Lanes reflectance;
-  Lanes surround; // share of what lies beyond the quiet zone
+  Lanes paper; // share of what does not lie beyond the quiet zone
   Lanes residual;
 };
 
@@ -168,9 +178,12 @@ GreyLanes greyOf(const PixelBlock &block, const Photometry &photometry, const La
   GreyLanes grey;
   grey.light = static_cast<float>(photometry.light) + static_cast<float>(photometry.lightGradient.x()) * block.offsetU +
                static_cast<float>(photometry.lightGradient.y()) * block.offsetV;
-  grey.surround = static_cast<float>(photometry.surround) * block.surround;
+  const Lanes around = static_cast<float>(photometry.surround[0]) * block.surround[0];
+  const Lanes beside = static_cast<float>(photometry.surround[1]) * block.surround[1];
+  grey.paper = 1.f - around - beside;
   grey.reflectance = 1.f - static_cast<float>(photometry.contrast) * darkness;
-  grey.residual = block.grey - grey.light * grey.reflectance - grey.surround * (block.beyond - grey.light);
+  grey.residual = block.grey - grey.light * grey.reflectance - around * (block.beyond[0] - grey.light) -
+                  beside * (block.beyond[1] - grey.light);
   return grey;
 }
 } // namespace
@@ -186,6 +199,11 @@ void Likelihood::setPixels(const std::vector<FitPixel> &pixels, const MarkerPlan
   packPixels(pixels, plane, m_pattern, photometry, noise, m_memory.blocks);
 }
 
+bool Likelihood::correct(const MarkerPlane &plane, const Photometry &photometry)
+{
+  return m_settings.exactBends && correctBends(plane, m_pattern, photometry.blur, m_memory.blocks);
+}
+
 bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometry) const
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
@@ -195,15 +213,17 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
     const Lanes weight = guessedVariance / (guessedVariance + block.variance);
-    const Lanes surround = static_cast<float>(photometry.surround) * block.surround;
-    const Lanes paper = 1.f - surround;
+    const Lanes around = static_cast<float>(photometry.surround[0]) * block.surround[0];
+    const Lanes beside = static_cast<float>(photometry.surround[1]) * block.surround[1];
+    const Lanes paper = 1.f - around - beside;
     const std::array<Lanes, 4> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness.value};
     for (int i = 0; i < 4; ++i) {
       const Lanes weighted = weight * row[static_cast<std::size_t>(i)];
       for (int j = 0; j < 4; ++j) {
         matrix(i, j) += static_cast<double>((weighted * row[static_cast<std::size_t>(j)]).sum());
       }
-      right[i] += static_cast<double>((weighted * (block.grey - surround * block.beyond)).sum());
+      right[i] +=
+          static_cast<double>((weighted * (block.grey - around * block.beyond[0] - beside * block.beyond[1])).sum());
     }
   });
   const Eigen::Vector4d solution = matrix.ldlt().solve(right);
@@ -235,14 +255,16 @@ Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &phot
     for (std::size_t k = 0; k < poseSize; ++k) {
       row[k] = byDarkness * darkness.byTwist[k];
     }
-    const Lanes byLight = grey.reflectance - grey.surround;
+    const Lanes byLight = grey.reflectance + grey.paper - 1.f;
     row[lightAt] = byLight;
     row[gradientAt] = byLight * block.offsetU;
     row[gradientAt + 1] = byLight * block.offsetV;
     row[contrastAt] = -grey.light * darkness.value;
     row[sigmaAt] = byDarkness * darkness.bySigma;
     row[growthAt] = byDarkness * darkness.byGrowth;
-    row[surroundAt] = block.surround * (block.beyond - grey.light);
+    for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+      row[surroundAt + shape] = block.surround[shape] * (block.beyond[shape] - grey.light);
+    }
     sums.add(row, grey.residual, loss);
   });
   Equations equations = sums.equations();
@@ -286,6 +308,25 @@ ResidualSpread Likelihood::spreadOfResiduals()
           std::max(quantile(0.8) * sigmaOfQuantile, quantisation)};
 }
 
+double Likelihood::unevenShareOfResiduals(double noise) const
+{
+  const auto sigma = static_cast<float>(noise);
+  double pixels = 0., squares = 0.;
+  std::size_t k = 0;
+  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
+    const Lanes &residual = m_memory.residuals[k++];
+    const Lanes isClear = (1e30f * (block.spread - clearSpread * sigma)).max(0.f).min(1.f) * holdsPixel(block);
+    const Lanes spread = block.spread.max(sigma);
+    const Lanes excess = ((residual.square() - sigma * sigma) / spread.square()).min(1.f);
+    pixels += static_cast<double>(isClear.sum());
+    squares += static_cast<double>((isClear * excess).sum());
+  });
+  if (pixels < leastClearPixels) {
+    return mostUneven;
+  }
+  return std::clamp(std::sqrt(std::max(squares / pixels, 0.)), leastUneven, mostUneven);
+}
+
 double Likelihood::costOfResiduals(const Photometry &photometry, double noise) const
 {
   double cost = priorCost(photometry, noise);
@@ -325,8 +366,12 @@ Explanation Likelihood::explain(double noise) const
 double Likelihood::priorCost(const Photometry &photometry, double noise) const
 {
   const double u = m_settings.growth ? photometry.blur.growth / growthPrior : 0.;
-  const double s = (photometry.surround - expectedSurround) / surroundPrior;
-  return noise * noise * (u * u + s * s);
+  double cost = u * u;
+  for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+    const double s = (photometry.surround[shape] - expectedSurround[shape]) / surroundPrior;
+    cost += s * s;
+  }
+  return noise * noise * cost;
 }
 
 // Prior on the growth of black; parameters that are not fitted are taken out of the equations, and a 1 on the diagonal
@@ -334,8 +379,11 @@ double Likelihood::priorCost(const Photometry &photometry, double noise) const
 void Likelihood::constrain(const Photometry &photometry, double noise, Equations &equations) const
 {
   const double surroundWeight = noise * noise / (surroundPrior * surroundPrior);
-  equations.matrix(surroundAt, surroundAt) += surroundWeight;
-  equations.right[surroundAt] -= surroundWeight * (photometry.surround - expectedSurround);
+  for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+    const int at = surroundAt + static_cast<int>(shape);
+    equations.matrix(at, at) += surroundWeight;
+    equations.right[at] -= surroundWeight * (photometry.surround[shape] - expectedSurround[shape]);
+  }
   equations.cost += priorCost(photometry, noise);
   const auto hold = [&equations](int at) {
     equations.matrix.row(at).setZero();

@@ -44,7 +44,7 @@ constexpr int contrastAt = 9;
 constexpr int sigmaAt = 10;
 constexpr int growthAt = 11;
 constexpr int surroundAt = 12;
-constexpr int parameters = 13;
+constexpr int parameters = surroundAt + static_cast<int>(paperShapes);
 using ParameterVector = Eigen::Matrix<double, parameters, 1>;
 using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
 
@@ -85,6 +85,9 @@ public:
   void setPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const Photometry &photometry,
                  double noise);
 
+  /*! Corrects the model where edges bend strongly, if the settings want it; whether there are such edges. */
+  bool correct(const MarkerPlane &plane, const Photometry &photometry);
+
   /*! Light and contrast that explain the image best at a pose, by linear least squares; false if there is no print. */
   bool startPhotometry(const MarkerPlane &plane, Photometry &photometry) const;
 
@@ -99,6 +102,9 @@ public:
 
   /*! Spread of the residuals kept that see no surround; HUGE_VAL if there are none. */
   ResidualSpread spreadOfResiduals();
+
+  /*! How much the share of the surround differs from direction to direction, by the residuals kept. */
+  double unevenShareOfResiduals(double noise) const;
 
   /*! Cost of the residuals kept at a noise. */
   double costOfResiduals(const Photometry &photometry, double noise) const;

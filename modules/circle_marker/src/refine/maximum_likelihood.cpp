@@ -52,6 +52,11 @@ constexpr double stepError = 0.2;
 // The pixels are sorted again by what they see when the pose has moved by this much, pixels: half of what the sorting
 // leaves room for.
 constexpr double sortAgain = 0.5;
+// The correction of strong bends is made again at the end if pose or blur have changed by more than this, pixels: it
+// has changed by no more than a few hundredths of itself by then.
+constexpr double correctAgain = 0.05;
+// The surround is also judged again at the end if it is by this factor more or less even than was thought.
+constexpr double unevenAgain = 1.4;
 // And the surround is judged again when the light has changed by this share of it: white paper beyond the quiet zone
 // would be taken for something else.
 constexpr double judgeAgain = 0.005;
@@ -69,7 +74,9 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   photometry.contrast += step[contrastAt];
   photometry.blur.sigma = std::clamp(photometry.blur.sigma + step[sigmaAt], leastSigma, mostSigma);
   photometry.blur.growth += step[growthAt];
-  photometry.surround += step[surroundAt];
+  for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+    photometry.surround[shape] += step[surroundAt + static_cast<int>(shape)];
+  }
 }
 
 // Standard deviation of the noise from the weighted residuals: more efficient than the median.
@@ -99,6 +106,54 @@ Eigen::Matrix<double, 6, 6> inCameraFrame(const Eigen::Matrix<double, 6, 6> &cov
   change.bottomRightCorner<3, 3>() = plane.rotation;
   return change * covariance * change.transpose();
 }
+// The pixels as they are prepared for a fit: sorted by what they see, strong bends corrected, the surround judged. All
+// that depends on the pose and the light, but little.
+class Preparation
+{
+public:
+  Preparation(const std::vector<FitPixel> &pixels, Likelihood &fit, const FitMemory &memory)
+      : m_pixels(pixels), m_fit(fit), m_memory(memory)
+  {
+  }
+
+  void prepare(const MarkerPlane &plane, const Photometry &photometry, double noise)
+  {
+    m_fit.setPixels(m_pixels, plane, photometry, noise);
+    m_isBent = m_fit.correct(plane, photometry);
+    m_plane = plane;
+    m_photometry = photometry;
+  }
+
+  // Whether pixels may see other edges by now, or other light.
+  bool isStale(const MarkerPlane &plane, const Photometry &photometry) const
+  {
+    return motion(plane) > sortAgain ||
+           std::abs(photometry.light - m_photometry.light) > judgeAgain * m_photometry.light;
+  }
+
+  // Whether a fit that is done wants a better preparation for its last steps.
+  bool isRough(const MarkerPlane &plane, const Photometry &photometry) const
+  {
+    const double uneven = photometry.unevenShare / m_photometry.unevenShare;
+    return (m_isBent && (motion(plane) > correctAgain ||
+                         std::abs(photometry.blur.sigma - m_photometry.blur.sigma) > correctAgain)) ||
+           std::max(uneven, 1. / uneven) > unevenAgain;
+  }
+
+private:
+  // Pixels.
+  double motion(const MarkerPlane &plane) const
+  {
+    return outlineMotion(m_plane, plane) / m_memory.blocks.reference.unit;
+  }
+
+  const std::vector<FitPixel> &m_pixels;
+  Likelihood &m_fit;
+  const FitMemory &m_memory;
+  MarkerPlane m_plane;
+  Photometry m_photometry;
+  bool m_isBent = false;
+};
 } // namespace
 
 std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const FitStart &start,
@@ -119,9 +174,8 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
       return std::nullopt;
     }
   }
-  fit.setPixels(pixels, result.plane, result.photometry, start.noise.value_or(0.));
-  MarkerPlane sortedAt = result.plane;
-  double sortedLight = result.photometry.light;
+  Preparation preparation(pixels, fit, memory);
+  preparation.prepare(result.plane, result.photometry, start.noise.value_or(0.));
   double noise = 0.;
   if (start.noise) {
     noise = *start.noise;
@@ -153,12 +207,18 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
     Photometry photometry = result.photometry;
     applyStep(step, plane, photometry);
     const double bend = outlineMotion(result.plane, plane) / (memory.blocks.reference.unit * photometry.blur.sigma);
-    const bool isStale = outlineMotion(sortedAt, plane) > sortAgain * memory.blocks.reference.unit ||
-                         std::abs(photometry.light - sortedLight) > judgeAgain * sortedLight;
+    const bool isStale = preparation.isStale(plane, photometry);
     if (!isStale && excess == 0. && damping < freeDamping && size * (stepError + bend) < settings.convergence) {
       result.plane = plane;
       result.photometry = photometry;
-      break;
+      result.photometry.unevenShare = fit.unevenShareOfResiduals(noise);
+      if (!preparation.isRough(plane, result.photometry)) {
+        break;
+      }
+      preparation.prepare(plane, result.photometry, noise);
+      equations = fit.linearise(plane, result.photometry, noise);
+      fit.keepResiduals();
+      continue;
     }
     if (isVisible(plane) && photometry.light > 0.) {
       Equations trial = fit.linearise(plane, photometry, noise);
@@ -167,9 +227,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
         result.photometry = photometry;
         damping = damping > leastDamping ? 0.1 * damping : 0.;
         if (isStale) {
-          fit.setPixels(pixels, plane, photometry, noise);
-          sortedAt = plane;
-          sortedLight = photometry.light;
+          preparation.prepare(plane, photometry, noise);
           trial = fit.linearise(plane, photometry, noise);
         }
         equations = trial;
@@ -209,12 +267,14 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
 }
 
 double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
-                     const Photometry &surround, double noise, FitMemory &memory)
+                     const Photometry &surround, double noise, bool exactBends, FitMemory &memory)
 {
   FitSettings settings;
   settings.growth = false;
+  settings.exactBends = exactBends;
   Likelihood likelihood(pattern, settings, memory);
   likelihood.setPixels(pixels, fit.plane, surround, noise);
+  likelihood.correct(fit.plane, fit.photometry);
   likelihood.evaluate(fit.plane, fit.photometry);
   return likelihood.costOfResiduals(fit.photometry, noise);
 }

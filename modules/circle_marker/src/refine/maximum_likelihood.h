@@ -66,6 +66,7 @@ struct FitSettings
 {
   bool spinIsKnown = true; //!< Whether the code fixes the spin: else it stays as it is.
   bool growth = true;      //!< Whether black may be larger than designed.
+  bool exactBends = true;  //!< Whether edges that bend strongly are corrected (correctBends()).
   int mostIterations = 25; //!< Levenberg-Marquardt steps; 0 only evaluates the start.
   //! A step is the last when what it leaves of the way is expected to be less than this share of a standard deviation.
   double convergence = 0.15;
@@ -92,10 +93,10 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
 
 /*!
   Robust sum of squared residuals at a given noise, so that two fits can be compared. The surround is judged by the
-  photometry \e surround, which is the same for all fits.
+  photometry \e surround, which is the same for all fits; strong bends are corrected as by FitSettings::exactBends.
 */
 double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
-                     const Photometry &surround, double noise, FitMemory &memory);
+                     const Photometry &surround, double noise, bool exactBends, FitMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -122,8 +122,8 @@ std::vector<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const std::v
 }
 
 // Puts the fit that explains the pixels best first; all are judged by the noise of the best. Returns that noise.
-double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, std::vector<FittedPose> &fits,
-            FitMemory &memory)
+double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, bool exactBends,
+            std::vector<FittedPose> &fits, FitMemory &memory)
 {
   const auto best = std::min_element(fits.begin(), fits.end(),
                                      [](const FittedPose &p, const FittedPose &q) { return p.noise < q.noise; });
@@ -131,7 +131,7 @@ double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, s
   if (fits.size() > 1) {
     const Photometry surround = best->photometry;
     for (FittedPose &fit : fits) {
-      fit.squares = robustSquares(pixels, fit, pattern, surround, noise, memory);
+      fit.squares = robustSquares(pixels, fit, pattern, surround, noise, exactBends, memory);
     }
     std::sort(fits.begin(), fits.end(), [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; });
   }
@@ -158,12 +158,13 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   selectFewPixels(I, camera, marker.poses.data(), marker.poses.size(), pattern, commonBlur, quietZone, memory.pixels);
   FitSettings coarse = settings;
   coarse.convergence = coarseConvergence;
+  coarse.exactBends = false;
   coarse.mostIterations = refine ? coarseIterations : 0;
   std::vector<FittedPose> fits = fitAll(memory.pixels, startsOf(marker.poses, camera), pattern, coarse, memory.fit);
   if (fits.empty()) {
     return std::nullopt;
   }
-  double noise = rank(memory.pixels, pattern, fits, memory.fit);
+  double noise = rank(memory.pixels, pattern, false, fits, memory.fit);
   keepTwo(fits);
 
   // Those that have a chance on all pixels.
@@ -186,7 +187,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     if (fits.empty()) {
       return std::nullopt;
     }
-    noise = rank(memory.pixels, pattern, fits, memory.fit);
+    noise = rank(memory.pixels, pattern, true, fits, memory.fit);
   }
   const double refined = pattern.sectors > 0 ? leastCorrelation : leastCorrelationWithoutCode;
   const double least = refine ? refined : leastCorrelationUnrefined;

@@ -18,6 +18,8 @@
 #ifndef VP_CIRCLE_MARKER_PHOTOMETRY_H
 #define VP_CIRCLE_MARKER_PHOTOMETRY_H
 
+#include <array>
+
 #include <Eigen/Core>
 
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
@@ -31,14 +33,25 @@ struct BlurParameters
   double growth = 0.; //!< Distance by which every black region is larger than designed, pixels.
 };
 
+/*! Where the paper around a marker ends, if it ends as early as it may. */
+enum class PaperShape
+{
+  ROUND, //!< At a circle.
+  SQUARE //!< At a square, as markers are printed and cut out.
+};
+constexpr std::size_t paperShapes = 2;
+
 /*! Light, contrast and blur of a marker's image. */
 struct Photometry
 {
   double light = 200.;                                     //!< Grey level of white paper at the marker's centre.
   Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero(); //!< Its change over the marker's size, grey levels.
   double contrast = 0.8;                                   //!< 1 - black / white.
-  //! How much of what may lie beyond the quiet zone does: 1 if the paper ends there, 0 if it goes on.
-  double surround = 0.75;
+  //! How much of what may lie beyond the quiet zone does, for each shape that the paper may have (PaperShape): 1 if it
+  //! ends there, 0 if it goes on.
+  std::array<double, paperShapes> surround = {{0.25, 0.5}};
+  //! Standard deviation by which that differs from direction to direction.
+  double unevenShare = 0.3;
   BlurParameters blur;
 };
 } // namespace circle_marker

@@ -29,9 +29,6 @@ namespace {
 // pixels are sorted may be off by this much, pixels.
 constexpr double reach = 4.5;
 constexpr double poseError = 1.;
-// The share of the surround is one for the marker; around a square sheet it differs from direction to direction by
-// this.
-constexpr double unevenShare = 0.3;
 
 // A block without pixels: harmless numbers that count nothing.
 PixelBlock emptyBlock()
@@ -39,7 +36,8 @@ PixelBlock emptyBlock()
   PixelBlock block;
   PlaceLanes &place = block.place;
   for (Lanes *lanes : {&place.x, &place.y, &place.xByV, &place.yByU, &block.offsetU, &block.offsetV, &block.grey,
-                       &block.surround, &block.beyond, &block.acrossX, &block.base}) {
+                       &block.surround[0], &block.surround[1], &block.beyond[0], &block.beyond[1], &block.spread,
+                       &block.acrossX, &block.base, &block.correction}) {
     lanes->setZero();
   }
   for (Lanes *lanes : {&place.xByU, &place.yByV, &block.acrossY}) {
@@ -82,23 +80,31 @@ void putSurround(const FitPixel &pixel, const Photometry &photometry, double noi
                  PixelBlock &block)
 {
   block.grey[lane] = static_cast<float>(pixel.grey);
-  block.surround[lane] = 0.f;
-  block.beyond[lane] = 0.f;
+  block.spread[lane] = 0.f;
   block.variance[lane] = 0.f;
-  if (pixel.surround <= 0.) {
-    return;
-  }
   const double light = photometry.light + photometry.lightGradient.dot(pixel.offset);
-  double doubt = 0.25 * light * light; // where nothing is seen of it, anything is possible
-  if (std::isfinite(pixel.beyondSpread)) {
-    block.surround[lane] = static_cast<float>(pixel.surround);
-    block.beyond[lane] = static_cast<float>(pixel.beyond);
-    // Noise alone spreads the few looks: by as much, and half as much again by chance.
-    const double texture = std::max(pixel.beyondSpread * pixel.beyondSpread - 2. * noise * noise, 0.);
-    const double difference = unevenShare * (pixel.beyond - light);
-    doubt = difference * difference + texture;
+  double variance = 0.;
+  double most = 0.;
+  for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+    const BeyondPaper &beyond = pixel.beyond[shape];
+    block.surround[shape][lane] = 0.f;
+    block.beyond[shape][lane] = 0.f;
+    if (beyond.share <= 0.) {
+      continue;
+    }
+    double doubt = 0.25 * light * light; // where nothing is seen of it, anything is possible
+    if (std::isfinite(beyond.spread)) {
+      block.surround[shape][lane] = static_cast<float>(beyond.share);
+      block.beyond[shape][lane] = static_cast<float>(beyond.grey);
+      most = std::max(most, beyond.share * std::abs(beyond.grey - light));
+      // Noise alone spreads the few looks: by as much, and half as much again by chance.
+      doubt = std::max(beyond.spread * beyond.spread - 2. * noise * noise, 0.);
+      doubt *= photometry.surround[shape] * photometry.surround[shape];
+    }
+    variance = std::max(variance, beyond.share * beyond.share * doubt);
   }
-  block.variance[lane] = static_cast<float>(pixel.surround * pixel.surround * doubt);
+  block.spread[lane] = static_cast<float>(most);
+  block.variance[lane] = static_cast<float>(variance + photometry.unevenShare * photometry.unevenShare * most * most);
 }
 
 // What a pixel of the track may see of the sectors.

@@ -52,14 +52,17 @@ constexpr float noPixel = 1e30f;
 /*! Eight pixels that may see the same parts of the print. */
 struct PixelBlock
 {
-  PlaceLanes place;          //!< Where the pixels are.
-  Lanes offsetU, offsetV;    //!< From the marker's centre, in units of its image's size.
-  Lanes grey;                //!< Grey level.
-  Lanes surround;            //!< Share that the surround has at most.
-  Lanes beyond;              //!< Grey level of the surround; that of paper where nothing is seen of it.
-  Lanes variance;            //!< Of what the surround may change beside that, grey levels^2.
+  PlaceLanes place;       //!< Where the pixels are.
+  Lanes offsetU, offsetV; //!< From the marker's centre, in units of its image's size.
+  Lanes grey;             //!< Grey level.
+  //! For each shape of the paper, the share that the surround has at most, and its grey level.
+  Lanes surround[paperShapes];
+  Lanes beyond[paperShapes];
+  Lanes spread;              //!< Most that the surround may change, grey levels.
+  Lanes variance;            //!< Of what it may change beside that, grey levels^2.
   Lanes acrossX, acrossY;    //!< Unit vector on the marker across the nearest border between sectors.
   Lanes base;                //!< 1 if the sector before the first border is black, 0 if it is white.
+  Lanes correction;          //!< What the parabolas of ImageModel lack of the share of black (correctBends()).
   Lanes change[mostBorders]; //!< Of each border: 1 from white to black, -1 from black to white, 0 if there is no edge.
 };
 

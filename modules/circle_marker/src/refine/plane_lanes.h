@@ -54,6 +54,12 @@ struct PlaneLanes
   Lanes gradient;                   //!< Its length.
 };
 
+/*! A direction of the image as the plane sees it: from q, s steps lead to (q + s (x, y)) / (1 + s w). */
+struct DirectionLanes
+{
+  Lanes x, y, w;
+};
+
 /*! The way from the image to the plane at a pose: a homography, q = (A p + b) / (1 + w p). */
 class PlaneHomography
 {
@@ -82,6 +88,15 @@ public:
     point.gradientU = point.qxByU * point.outX + point.qyByU * point.outY;
     point.gradientV = point.qxByV * point.outX + point.qyByV * point.outY;
     point.gradient = (point.gradientU * point.gradientU + point.gradientV * point.gradientV).sqrt();
+  }
+
+  /*! Steps of (u, v) pixels from places, on straight lines. */
+  DirectionLanes along(const PlaceLanes &place, const Lanes &u, const Lanes &v) const
+  {
+    const Lanes perSlope = (1.f + m_wx * place.x + m_wy * place.y).inverse();
+    const Lanes x = (place.xByU * u + place.xByV * v) * perSlope;
+    const Lanes y = (place.yByU * u + place.yByV * v) * perSlope;
+    return {m_axx * x + m_axy * y, m_ayx * x + m_ayy * y, m_wx * x + m_wy * y};
   }
 
 private:

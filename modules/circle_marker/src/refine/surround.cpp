@@ -19,6 +19,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "support/bilinear.h"
 
@@ -28,6 +29,10 @@ namespace {
 // Looks in each direction: from where the blur of the quiet zone's end has gone, a pixel apart.
 constexpr unsigned int looks = 4;
 constexpr double clearOfBlur = 1.5; // standard deviations
+// Where the square is looked for, in units of half of its width: its corners are at 1.41.
+constexpr std::array<double, 4> sampleExtents = {{1.07, 1.14, 1.21, 1.28}};
+// Angles of the square that are tried, 5 degrees apart: an error of half of that moves its sides by 1 % of the radius.
+constexpr int squareAngles = 18;
 } // namespace
 
 unsigned int Surround::directionOf(const Eigen::Vector2d &q)
@@ -37,13 +42,14 @@ unsigned int Surround::directionOf(const Eigen::Vector2d &q)
 }
 
 Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                    double outermost, double blur)
+                    const PaperEnd &paper, double blur)
 {
   Surround surround;
   for (unsigned int k = 0; k < Surround::directions; ++k) {
     const double angle = 2. * M_PI * k / Surround::directions;
     const Eigen::Vector2d q(std::cos(angle), std::sin(angle));
-    const Eigen::Vector2d end = camera.toPixel(plane.project(outermost * q));
+    const double scale = paper.shape == PaperShape::SQUARE ? paper.alongAxes(q).cwiseAbs().maxCoeff() : 1.;
+    const Eigen::Vector2d end = camera.toPixel(plane.project(paper.extent / scale * q));
     const Eigen::Vector2d outward = (end - camera.toPixel(plane.project(q))).normalized();
     double sum = 0., squares = 0.;
     bool isInside = true;
@@ -62,6 +68,50 @@ Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, 
                                   : std::numeric_limits<float>::infinity();
   }
   return surround;
+}
+
+double squareAngleOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                     double outermost)
+{
+  // Samples between the square's sides and its corners; those near the edge count for both.
+  std::array<std::pair<Eigen::Vector2d, double>, Surround::directions * sampleExtents.size()> samples;
+  std::size_t count = 0;
+  double total = 0.;
+  for (unsigned int k = 0; k < Surround::directions; ++k) {
+    const double direction = 2. * M_PI * k / Surround::directions;
+    for (const double extent : sampleExtents) {
+      const Eigen::Vector2d q = extent * outermost * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+      if (const auto grey = bilinear(I, camera.toPixel(plane.project(q)))) {
+        samples[count++] = {q, *grey};
+        total += *grey;
+      }
+    }
+  }
+  double best = 0., bestScore = 0.;
+  for (int k = 0; k < squareAngles; ++k) {
+    PaperEnd paper;
+    paper.angle = 0.5 * M_PI * k / squareAngles;
+    double inside = 0., insideTotal = 0.;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto &[q, grey] = samples[i];
+      if (paper.alongAxes(q).cwiseAbs().maxCoeff() < outermost) {
+        inside += 1.;
+        insideTotal += grey;
+      }
+    }
+    const double outside = static_cast<double>(count) - inside;
+    if (inside < 1. || outside < 1.) {
+      continue;
+    }
+    // Variance between both parts.
+    const double difference = insideTotal / inside - (total - insideTotal) / outside;
+    const double score = inside * outside * difference * difference;
+    if (difference > 0. && score > bestScore) {
+      best = paper.angle;
+      bestScore = score;
+    }
+  }
+  return best;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

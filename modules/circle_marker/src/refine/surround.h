@@ -28,14 +28,30 @@
 #define VP_CIRCLE_MARKER_SURROUND_H
 
 #include <array>
+#include <cmath>
 
 #include "pose/marker_plane.h"
+#include "refine/photometry.h"
 #include "support/camera_model.h"
 
 #include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! The end of the paper, on the marker's plane. */
+struct PaperEnd
+{
+  PaperShape shape = PaperShape::ROUND;
+  double extent = 1.; //!< Radius of the circle or half of the square's width, in units of the outer radius.
+  double angle = 0.;  //!< Of the square's axes, rad.
+
+  //! Coordinates along the square's axes.
+  Eigen::Vector2d alongAxes(const Eigen::Vector2d &q) const
+  {
+    return {std::cos(angle) * q.x() + std::sin(angle) * q.y(), std::cos(angle) * q.y() - std::sin(angle) * q.x()};
+  }
+};
+
 /*! Grey level beyond the quiet zone, in directions around the marker. */
 struct Surround
 {
@@ -52,11 +68,20 @@ struct Surround
   \param I : The image.
   \param camera : Its camera.
   \param plane : The marker's pose.
-  \param outermost : Radius at which the quiet zone ends, in units of the outer radius.
+  \param paper : Where the quiet zone ends.
   \param blur : Standard deviation of the blur, pixels: the looks begin where it no longer mixes both sides.
 */
 Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                    double outermost, double blur);
+                    const PaperEnd &paper, double blur);
+
+/*!
+  Angle of the square sheet around a marker whose frame does not tell it, in [0, pi / 2): the one at which what is
+  inside of the square differs most from what is outside. Anything if the paper goes on, where it does not matter.
+  \param I, camera, plane : As above.
+  \param outermost : Half of the square's width, in units of the outer radius.
+*/
+double squareAngleOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                     double outermost);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

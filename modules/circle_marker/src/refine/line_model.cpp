@@ -1,0 +1,273 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Darkness of strongly bent edges, integrated along lines.
+ */
+
+#include "refine/line_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "refine/image_model.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// A line across the edges: its place across in standard deviations of the blur, and its weight.
+struct Node
+{
+  float place;
+  float weight;
+};
+// Lines at right angles to a ring's edges see a smooth function of their place: the Gauss-Hermite rule of five nodes
+// (Abramowitz and Stegun, table 25.10, for the standard normal distribution).
+constexpr std::array<Node, 5> ringNodes = {{{-2.856970f, 0.01125741f},
+                                            {-1.355626f, 0.22207592f},
+                                            {0.f, 0.53333333f},
+                                            {1.355626f, 0.22207592f},
+                                            {2.856970f, 0.01125741f}}};
+// Lines at 45 degrees to edges see a function that is no smoother than the blur: the trapezoidal rule with a step of
+// 1.2 standard deviations, whose error is exp(-(2 pi / 1.2)^2 / 4) = 1e-3 of an edge.
+constexpr std::array<Node, 12> trackNodes = {{{-3.3f, 0.00103381f},
+                                              {-2.7f, 0.00625418f},
+                                              {-2.1f, 0.02639699f},
+                                              {-1.5f, 0.07773067f},
+                                              {-0.9f, 0.15969246f},
+                                              {-0.3f, 0.22889190f},
+                                              {0.3f, 0.22889190f},
+                                              {0.9f, 0.15969246f},
+                                              {1.5f, 0.07773067f},
+                                              {2.1f, 0.02639699f},
+                                              {2.7f, 0.00625418f},
+                                              {3.3f, 0.00103381f}}};
+// Crossings farther away than this many standard deviations see none of the blur.
+constexpr float farAway = 5.f;
+
+// Bend of an edge, curvature times blur / 2, from which parabolas leave an error that shows: it is of the order of the
+// bend's square at corners and of its cube elsewhere, and a tenth of the pose's standard deviation at this bend.
+constexpr float strongBend = 0.08f;
+
+// 1 where a value is positive, else 0.
+Lanes isPositive(const Lanes &value)
+{
+  return (1e30f * value).max(0.f).min(1.f);
+}
+} // namespace
+
+// Points (q0 + s m) / (w0 + s w) of the plane, with s in standard deviations of the blur from the point nearest to the
+// pixel.
+struct LineModel::Line
+{
+  Lanes qx, qy, w0;
+  Lanes mx, my, w;
+  Lanes rimGrowth;        // growth of black along the line at a circle, standard deviations
+  Lanes growthU, growthV; // direction of the line in the image, times what divides a growth at a border
+  const PlaneLanes *point = nullptr;
+};
+
+// Share of the blur before the two crossings of a circle.
+struct LineModel::Chord
+{
+  Lanes before, after;
+};
+
+LineModel::LineModel(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
+                     const ImageReference &reference)
+    : m_homography(plane, reference), m_ring{static_cast<float>(pattern.ring[0].radius),
+                                             pattern.ringEdges > 1 ? static_cast<float>(pattern.ring[1].radius) : 0.f},
+      m_track{static_cast<float>(pattern.track[0].radius), static_cast<float>(pattern.track[1].radius)},
+      m_perSigma(static_cast<float>(1. / blur.sigma)), m_growth(static_cast<float>(blur.growth))
+{
+  const int sectors = static_cast<int>(pattern.sectors);
+  if (sectors > 0) {
+    m_first = pattern.isBlack(-1) ? 1.f : 0.f;
+  }
+  for (int k = 0; k < sectors; ++k) {
+    if (pattern.isBlack(k) != pattern.isBlack(k - 1)) {
+      const Eigen::Vector2d &across = pattern.acrossBorder(k);
+      m_borders[m_borderCount++] = {static_cast<float>(across.y()), static_cast<float>(-across.x()),
+                                    pattern.isBlack(k) ? 1.f : -1.f, 2 * k >= sectors};
+    }
+  }
+}
+
+// Crossings of a circle whose inside grows.
+LineModel::Chord LineModel::chordOf(const Line &line, float radius, const Lanes &growth) const
+{
+  const float squared = radius * radius;
+  const Lanes a = (line.mx * line.mx + line.my * line.my - squared * line.w * line.w).max(1e-12f);
+  const Lanes b = line.qx * line.mx + line.qy * line.my - squared * line.w0 * line.w;
+  const Lanes c = line.qx * line.qx + line.qy * line.qy - squared * line.w0 * line.w0;
+  const Lanes discriminant = b * b - a * c;
+  const Lanes half = discriminant.max(0.f).sqrt();
+  const Lanes perA = a.inverse();
+  const Lanes isCrossed = isPositive(discriminant);
+  const Lanes first = ((-b - half) * perA - isCrossed * growth).max(-6.5f).min(6.5f);
+  const Lanes second = ((-b + half) * perA + isCrossed * growth).max(-6.5f).min(6.5f);
+  Chord chord;
+  chord.after = normalOf(second).cumulative;
+  chord.before = first.maxCoeff() < -farAway ? Lanes(Lanes::Zero()) : normalOf(first).cumulative;
+  return chord;
+}
+
+Lanes LineModel::ringAlong(const Line &line) const
+{
+  const Chord outer = chordOf(line, m_ring[0], line.rimGrowth);
+  Lanes black = outer.after - outer.before;
+  if (m_ring[1] > 0.f) {
+    const Chord inner = chordOf(line, m_ring[1], -line.rimGrowth);
+    black -= inner.after - inner.before;
+  }
+  return black;
+}
+
+Lanes LineModel::trackAlong(const Line &line) const
+{
+  const Chord outer = chordOf(line, m_track[0], line.rimGrowth);
+  const Chord inner = chordOf(line, m_track[1], -line.rimGrowth);
+  // The sector that the line comes from: that of its direction backward, or of where the image ends in that direction
+  // if it does before the plane's horizon.
+  const Lanes ahead = line.w.max(0.f);
+  const Lanes fromX = ahead * line.qx - line.mx * line.w0;
+  const Lanes fromY = ahead * line.qy - line.my * line.w0;
+  const Lanes isLower = isPositive(-fromY);
+  Lanes code = Lanes::Constant(m_first);
+  Lanes black = Lanes::Zero();
+  for (std::size_t k = 0; k < m_borderCount; ++k) {
+    const Border &border = m_borders[k];
+    const float acrossX = -border.alongY;
+    const float acrossY = border.alongX;
+    const Lanes isPast = isPositive(acrossX * fromX + acrossY * fromY);
+    code += border.change * (border.isLower ? Lanes(isPast.min(isLower)) : Lanes(isPast.max(isLower)));
+    const Lanes speed = acrossX * line.mx + acrossY * line.my;
+    const Lanes sense = 2.f * isPositive(speed) - 1.f;
+    const Lanes at = -(acrossX * line.qx + acrossY * line.qy) / (sense * speed.abs().max(1e-12f));
+    const Lanes w = line.w0 + at * line.w;
+    const Lanes isOnRay =
+        isPositive(border.alongX * (line.qx + at * line.mx) + border.alongY * (line.qy + at * line.my)) * isPositive(w);
+    const Lanes change = border.change * sense * isOnRay;
+    // Where black grows the border moves away from it.
+    const PlaneLanes &p = *line.point;
+    const Lanes gu = p.qxByU * acrossX + p.qyByU * acrossY;
+    const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
+    const Lanes cosine = (gu * line.growthU + gv * line.growthV).abs() * (gu * gu + gv * gv).rsqrt();
+    const Lanes grown = at - border.change * sense * (m_perSigma * m_growth) / cosine.max(0.2f);
+    Lanes before;
+    if (((grown.abs() - farAway) * change.abs()).minCoeff() >= 0.f) {
+      before = isPositive(grown);
+    }
+    else {
+      before = normalOf(grown.max(-6.5f).min(6.5f)).cumulative;
+    }
+    const auto beyond = [&before](const Chord &chord) -> Lanes {
+      return chord.after - before.max(chord.before).min(chord.after);
+    };
+    black += change * (beyond(outer) - beyond(inner));
+  }
+  return black + code * (outer.after - outer.before - inner.after + inner.before);
+}
+
+Lanes LineModel::darkness(const PixelBlock &block, PixelSight sight) const
+{
+  PlaneLanes p;
+  m_homography.apply(block.place, p);
+  // Direction of the lines: at right angles to the circle through the pixel; with sectors, half-way between that and
+  // the right angle to the radius through it.
+  const Lanes perGradient = p.gradient.inverse();
+  Lanes u = p.gradientU * perGradient;
+  Lanes v = p.gradientV * perGradient;
+  const bool hasTrack = sight != PixelSight::RING && m_borderCount > 0;
+  if (hasTrack) {
+    const Lanes bu = p.qyByU * p.outX - p.qxByU * p.outY;
+    const Lanes bv = p.qyByV * p.outX - p.qxByV * p.outY;
+    const Lanes perLength = (bu * bu + bv * bv).rsqrt();
+    const Lanes side = 2.f * isPositive(bu * u + bv * v) - 1.f;
+    u += side * perLength * bu;
+    v += side * perLength * bv;
+    const Lanes perSum = (u * u + v * v).rsqrt();
+    u *= perSum;
+    v *= perSum;
+  }
+  Line line;
+  line.point = &p;
+  line.growthU = u;
+  line.growthV = v;
+  line.rimGrowth = (m_perSigma * m_growth) / ((p.gradientU * u + p.gradientV * v) * perGradient);
+  const float sigma = 1.f / m_perSigma;
+  const DirectionLanes along = m_homography.along(block.place, sigma * u, sigma * v);
+  const DirectionLanes across = m_homography.along(block.place, -sigma * v, sigma * u);
+  line.mx = along.x;
+  line.my = along.y;
+  line.w = along.w;
+  Lanes black = Lanes::Zero();
+  const auto sumOver = [&](const auto &nodes) {
+    for (const Node &node : nodes) {
+      line.qx = p.qx + node.place * across.x;
+      line.qy = p.qy + node.place * across.y;
+      line.w0 = 1.f + node.place * across.w;
+      Lanes part = Lanes::Zero();
+      if (sight != PixelSight::TRACK) {
+        part += ringAlong(line);
+      }
+      if (hasTrack) {
+        part += trackAlong(line);
+      }
+      black += node.weight * part;
+    }
+  };
+  if (hasTrack) {
+    sumOver(trackNodes);
+  }
+  else {
+    sumOver(ringNodes);
+  }
+  return black;
+}
+
+bool LineModel::isBent(const PixelBlock &block, PixelSight sight) const
+{
+  PlaneLanes p;
+  m_homography.apply(block.place, p);
+  // Curvature of a circle about the centre: h^2 / (r g), with the gradient g of the radius r and the derivative h of
+  // the place on the plane along both circles.
+  const Lanes hu = p.qyByU * p.outX - p.qxByU * p.outY;
+  const Lanes hv = p.qyByV * p.outX - p.qxByV * p.outY;
+  const Lanes h = (hv * p.gradientU - hu * p.gradientV) / p.gradient;
+  const float least = sight != PixelSight::RING ? m_track[1] : m_ring[1] > 0.f ? m_ring[1] : m_ring[0];
+  return (h * h / p.gradient).maxCoeff() > 2.f * strongBend * m_perSigma * least;
+}
+
+bool correctBends(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
+                  PixelBlocks &blocks)
+{
+  const LineModel exact(plane, pattern, blur, blocks.reference);
+  const ImageModel parabolas(plane, pattern, blur, blocks);
+  bool isAnyBent = false;
+  for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+    const auto sight = static_cast<PixelSight>(kind);
+    for (PixelBlock &block : blocks.bySight[kind]) {
+      block.correction.setZero();
+      if (exact.isBent(block, sight)) {
+        DarknessLanes darkness;
+        parabolas.evaluate(block, sight, darkness);
+        block.correction = exact.darkness(block, sight) - darkness.value;
+        isAnyBent = true;
+      }
+    }
+  }
+  return isAnyBent;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
