@@ -63,7 +63,7 @@ TEST(FewPixels, LieAcrossTheEdges)
     for (const FitPixel &pixel : select(scene, side, id, 1)) {
       const PatternDistance distance = distanceToPattern(pixel.model, scene.plane(), pattern);
       EXPECT_LT(distance.toEdges, 2.6 * 0.8 + 0.75); // the row's end, and the rounding to whole pixels
-      EXPECT_LT(pixel.surround, 0.05);
+      EXPECT_LT(pixel.beyond[0].share, 0.05);
       EXPECT_EQ(pixel.grey, 100.);
       inside += distance.radius < 1.;
       outside += distance.radius > 1.;

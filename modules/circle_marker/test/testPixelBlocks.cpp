@@ -110,10 +110,9 @@ TEST(PixelBlocks, DoubtGrowsWithTheDifferenceOfTheSurround)
   const MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
   Photometry photometry;
   photometry.light = 200.;
+  photometry.surround = {{1., 0.}};
   const auto varianceOf = [&](double share, double beyond, double spread) {
-    pixel.surround = share;
-    pixel.beyond = beyond;
-    pixel.beyondSpread = spread;
+    pixel.beyond[0] = {share, beyond, spread};
     PixelBlocks blocks;
     packPixels({pixel}, scene.plane(), pattern, photometry, 2., blocks);
     return static_cast<double>(blocks.bySight[0][0].variance[0]);

@@ -44,7 +44,8 @@ TEST(Surround, SeesWhereThePaperEnds)
     MarkerScene scene =
         markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., uniform(random, 0., 0.8), side);
     const vpImage<unsigned char> I = photograph(side, side, 0.7, scene);
-    const Surround surround = surroundOf(I, CameraModel(scene.camera()), scene.plane(), 1. + 1. / 6., 0.8);
+    const Surround surround =
+        surroundOf(I, CameraModel(scene.camera()), scene.plane(), {PaperShape::ROUND, 1. + 1. / 6., 0.}, 0.8);
     for (unsigned int k = 0; k < Surround::directions; ++k) {
       const double angle = 2. * M_PI * k / Surround::directions;
       const double alongSide = std::max(std::fabs(std::cos(angle)), std::fabs(std::sin(angle)));
@@ -64,12 +65,47 @@ TEST(Surround, BeyondTheImageNothingIsKnown)
   Random random = randomOfTest();
   MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., 0., side);
   scene.center.x() -= (side / 2. - 32.) * scene.center.z() / scene.focal; // its left quiet zone is at the image's edge
-  const Surround surround =
-      surroundOf(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), scene.plane(), 1. + 1. / 6., 0.8);
+  const Surround surround = surroundOf(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), scene.plane(),
+                                       {PaperShape::ROUND, 1. + 1. / 6., 0.}, 0.8);
   unsigned int unknown = 0;
   for (const float spread : surround.spread) {
     unknown += std::isinf(spread);
   }
   EXPECT_GT(unknown, 3u);
   EXPECT_LT(unknown, Surround::directions / 2);
+}
+
+TEST(Surround, AroundASquareSheetIsOneGrey)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 10; ++i) {
+    MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 3, 60.,
+                                    uniform(random, 0., 0.6), side);
+    const Surround surround = surroundOf(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), scene.plane(),
+                                         {PaperShape::SQUARE, 1. + 1. / 6., 0.}, 0.8);
+    for (unsigned int k = 0; k < Surround::directions; ++k) {
+      if (std::isfinite(surround.spread[k])) {
+        EXPECT_NEAR(surround.grey[k], scene.surround, 15.) << k;
+      }
+    }
+  }
+}
+
+TEST(Surround, SquareSheetsAngleIsFound)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 20; ++i) {
+    const double diameter = uniform(random, 20., 60.);
+    MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, diameter,
+                                    uniform(random, 0., 1.), side);
+    const vpImage<unsigned char> I = photograph(side, side, 0.7, scene);
+    MarkerPlane plane = scene.plane();
+    const double spin = uniform(random, 0., 0.5 * M_PI);
+    plane.spin(-spin); // a ring does not tell it
+    const double found = squareAngleOf(I, CameraModel(scene.camera()), plane, 1. + 1. / 6.);
+    EXPECT_GE(found, 0.);
+    EXPECT_LT(found, 0.5 * M_PI);
+    const double difference = std::remainder(found - spin, 0.5 * M_PI);
+    EXPECT_LT(std::fabs(difference), 0.12) << "diameter " << diameter; // 7 degrees: steps of 5
+  }
 }
