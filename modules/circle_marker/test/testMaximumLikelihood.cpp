@@ -46,8 +46,7 @@ Case makeCase(const MarkerScene &scene, int id, const vpImage<unsigned char> &I)
 {
   Case made = {scene, patternOf(scene.family, id, scene.family.getLayout().ringInner), {}};
   const MarkerPlane plane = scene.plane();
-  selectPixels(I, CameraModel(scene.camera()), &plane, 1, made.pattern, 0.8, scene.family.getLayout().quietZone, 3000.,
-               made.pixels);
+  selectPixels(I, CameraModel(scene.camera()), &plane, 1, made.pattern, 0.8, 3000., made.pixels);
   return made;
 }
 
@@ -152,7 +151,7 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       blur.sigma = uniform(random, 0.6, 1.2);
       fillFromModel(made, light, blur, 0., random);
       FitSettings settings = settingsOf(family);
-      settings.exactBends = false; // the images are made of parabolas
+      settings.exactBends = false;  // the images are made of parabolas
       settings.convergence = 0.003; // with noise less would do; here it would be the largest error
       const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.03), made.pattern, settings);
       ASSERT_TRUE(fit);

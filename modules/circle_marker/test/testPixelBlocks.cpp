@@ -41,7 +41,7 @@ Packed pack(Random &random, const vpCircleMarkerFamily &family, double diameter,
   packed.pattern = patternOf(family, id, family.getLayout().ringInner);
   const MarkerPlane plane = packed.scene.plane();
   selectPixels(digitise(expose(side, side, 0.7, packed.scene, 2), 2., random), CameraModel(packed.scene.camera()),
-               &plane, 1, packed.pattern, 0.8, family.getLayout().quietZone, 1e6, packed.pixels);
+               &plane, 1, packed.pattern, 0.8, 1e6, packed.pixels);
   packPixels(packed.pixels, plane, packed.pattern, photometry, 2., packed.blocks);
   return packed;
 }

@@ -94,13 +94,12 @@ private:
 } // namespace
 
 void selectFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                     std::size_t count, const MarkerPattern &pattern, double blur, double quietZone,
-                     std::vector<FitPixel> &pixels)
+                     std::size_t count, const MarkerPattern &pattern, double blur, std::vector<FitPixel> &pixels)
 {
   pixels.clear();
   const int hypotheses = static_cast<int>(count);
   for (int h = 0; h < hypotheses; ++h) {
-    Rows rows(I, camera, planes[h], blur, 1. + quietZone, pixels);
+    Rows rows(I, camera, planes[h], blur, pattern.paper[0].extent, pixels);
     for (unsigned int i = 0; i < pattern.ringEdges; ++i) {
       for (int k = h; k < rowsOfCircle; k += hypotheses) {
         // The two circles' rows alternate in angle.

@@ -34,8 +34,7 @@ namespace circle_marker {
   \param pixels : The result; its memory is used again. A small marker's rows may share pixels.
 */
 void selectFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                     std::size_t count, const MarkerPattern &pattern, double blur, double quietZone,
-                     std::vector<FitPixel> &pixels);
+                     std::size_t count, const MarkerPattern &pattern, double blur, std::vector<FitPixel> &pixels);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -24,7 +24,6 @@
 #include "refine/lanes.h"
 #include "refine/plane_point.h"
 #include "refine/surround.h"
-#include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -212,13 +211,9 @@ private:
 class SurroundShare
 {
 public:
-  // knowsAxes: whether the axes of the marker's frame are known; sheets are printed along them.
   SurroundShare(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                std::size_t count, bool knowsAxes, double outermost, double blur)
-      : m_planes(planes), m_count(count), m_outermost(outermost),
-        m_blur(blur), m_papers{PaperEnd{PaperShape::ROUND, outermost, 0.},
-                               PaperEnd{PaperShape::SQUARE, outermost,
-                                        knowsAxes ? 0. : squareAngleOf(I, camera, planes[0], outermost)}}
+                std::size_t count, const PaperEnds &papers, double blur)
+      : m_planes(planes), m_count(count), m_outermost(papers[0].extent), m_blur(blur), m_papers(papers)
   {
     for (std::size_t shape = 0; shape < paperShapes; ++shape) {
       m_surrounds[shape] = surroundOf(I, camera, planes[0], m_papers[shape], blur);
@@ -238,7 +233,7 @@ public:
       }
       for (std::size_t shape = 0; shape < paperShapes; ++shape) {
         const Surround &surround = m_surrounds[shape];
-        const double share = shareOf(point, m_papers[shape]);
+        const double share = shareBeyond(point, m_papers[shape], m_blur);
         if (share > mostSurround) {
           return false;
         }
@@ -265,45 +260,24 @@ public:
   }
 
 private:
-  // Share of what a pixel sees that lies beyond paper of a shape.
-  double shareOf(const PlanePoint &point, const PaperEnd &paper) const
-  {
-    const NormalDistribution &normal = NormalDistribution::instance();
-    if (paper.shape == PaperShape::ROUND) {
-      const double radius = point.q.norm();
-      const double gradient = (point.byPixel.transpose() * (point.q / radius)).norm();
-      return normal.at((radius - m_outermost) / (gradient * m_blur)).cumulative;
-    }
-    const Eigen::Vector2d q = paper.alongAxes(point.q);
-    const Eigen::Vector2d byU = paper.alongAxes(point.byPixel.col(0));
-    const Eigen::Vector2d byV = paper.alongAxes(point.byPixel.col(1));
-    double inside = 1.;
-    for (int axis = 0; axis < 2; ++axis) {
-      const double distance = (paper.extent - std::abs(q[axis])) / std::hypot(byU[axis], byV[axis]);
-      inside *= normal.at(distance / m_blur).cumulative;
-    }
-    return 1. - inside;
-  }
-
-private:
   bool m_isNear = true;
   const MarkerPlane *m_planes;
   const std::size_t m_count;
   const double m_outermost;
   const double m_blur;
-  const std::array<PaperEnd, paperShapes> m_papers;
+  const PaperEnds &m_papers;
   std::array<Surround, paperShapes> m_surrounds;
 };
 } // namespace
 
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                  std::size_t count, const MarkerPattern &pattern, double blur, double quietZone, double most,
+                  std::size_t count, const MarkerPattern &pattern, double blur, double most,
                   std::vector<FitPixel> &pixels)
 {
   pixels.clear();
   count = std::min(count, mostHypotheses);
   const double band = bandOfBlur * blur + poseError;
-  const double outermost = 1. + quietZone;
+  const double outermost = pattern.paper[0].extent;
   const Box box = boundingBox(I, camera, planes, count, outermost);
   const Eigen::Vector2d center = camera.toPixel(planes[0].project(Eigen::Vector2d::Zero()));
   const double size = 0.25 * (box.right - box.left + box.bottom - box.top) / outermost;
@@ -312,7 +286,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   // edges of a marker that is thinned know white and black well enough without its flat areas.
   const int keep = std::max(1, static_cast<int>(std::ceil(expected / most)));
   const int slant = static_cast<int>(std::lround(0.382 * keep));
-  SurroundShare surround(I, camera, planes, count, pattern.sectors > 0, outermost, blur);
+  SurroundShare surround(I, camera, planes, count, pattern.paper, blur);
   std::array<Hypothesis, mostHypotheses> hypotheses = {
       {{planes[0], pattern, band}, {planes[count - 1], pattern, band}}};
   const auto add = [&](int u, int v, FitPixel &pixel) {

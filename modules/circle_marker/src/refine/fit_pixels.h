@@ -62,12 +62,11 @@ struct FitPixel
   \param planes, count : The hypotheses.
   \param pattern : The print.
   \param blur : Blur expected at the edges, pixels: the width of the band around them.
-  \param quietZone : Width of the white margin, in units of the outer radius: beyond it nothing is known.
   \param most : Number of pixels from which the marker is thinned.
   \param pixels : The result; its memory is used again.
 */
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                  std::size_t count, const MarkerPattern &pattern, double blur, double quietZone, double most,
+                  std::size_t count, const MarkerPattern &pattern, double blur, double most,
                   std::vector<FitPixel> &pixels);
 } // namespace circle_marker
 END_VISP_NAMESPACE

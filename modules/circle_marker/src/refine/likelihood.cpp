@@ -61,6 +61,7 @@ constexpr int products = parameters * (parameters + 1) / 2;
 struct LossLanes
 {
   Lanes kept;   // share of the pixel that is not taken for an outlier
+  Lanes tells;  // how much the pixel tells of the noise: little if the surround may change it
   Lanes weight; // with that of the noise in what is uncertain of it
   Lanes cost;
 };
@@ -71,7 +72,8 @@ LossLanes biweight(const Lanes &residual, const Lanes &variance, float noise)
   const float bound = static_cast<float>(tukey * tukey);
   const Lanes perVariance = (noise * noise + variance).inverse();
   const Lanes kept = (1.f - residual.square() * perVariance * (1.f / bound)).max(0.f);
-  return {kept.square(), noise * noise * perVariance * kept.square(),
+  const Lanes certainty = noise * noise * perVariance;
+  return {kept.square(), certainty.square(), certainty * kept.square(),
           noise * noise * bound / 3.f * (1.f - kept.cube())};
 }
 
@@ -102,8 +104,8 @@ public:
       m_lanes[static_cast<std::size_t>(products + i)] += weighted * residual;
     }
     m_lanes[costAt] += loss.cost;
-    m_lanes[squaresAt] += loss.weight * residual.square();
-    m_lanes[keptAt] += loss.kept;
+    m_lanes[squaresAt] += loss.tells * loss.weight * residual.square();
+    m_lanes[keptAt] += loss.tells * loss.kept;
     if (++m_blocks == blocksToFlush) {
       flush();
     }

@@ -56,9 +56,11 @@ struct Equations
 {
   ParameterMatrix matrix = ParameterMatrix::Zero();
   ParameterVector right = ParameterVector::Zero();
-  double cost = 0.;    //!< Robust sum of squares, grey levels^2.
-  double squares = 0.; //!< Weighted sum of squared residuals, grey levels^2.
-  double kept = 0.;    //!< Number of pixels, each as far as it is not taken for an outlier.
+  double cost = 0.; //!< Robust sum of squares, grey levels^2.
+  //! Weighted sum of squared residuals, grey levels^2, and number of pixels, each as far as it is not taken for an
+  //! outlier; of pixels that tell the noise: what the surround may add is not known well enough.
+  double squares = 0.;
+  double kept = 0.;
 };
 
 /*! Standard deviations that normal noise with the same quantiles would have, grey levels. */

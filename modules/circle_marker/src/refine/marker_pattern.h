@@ -24,6 +24,8 @@
 
 #include <Eigen/Core>
 
+#include "refine/paper_end.h"
+
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 
 BEGIN_VISP_NAMESPACE
@@ -41,6 +43,7 @@ struct MarkerPattern
   std::array<RadialEdge, 2> ring{};  //!< Edges of the ring; a disc has the first alone.
   unsigned int ringEdges = 0;        //!< Their number.
   std::array<RadialEdge, 2> track{}; //!< Outer and inner edge of the code track.
+  PaperEnds paper{};                 //!< Where the white paper around it ends at the earliest.
   unsigned int sectors = 0;          //!< Number of sectors of the track; 0 without a code.
   std::uint32_t word = 0;            //!< Black sectors; sector 0 is the most significant of the bits.
   //! For each sector, the unit vector across its first border, toward the sector.
@@ -79,6 +82,8 @@ struct MarkerPattern
 inline MarkerPattern patternOf(const vpCircleMarkerFamily &family, int id, double ringInner)
 {
   MarkerPattern pattern;
+  const double paper = 1. + family.getLayout().quietZone;
+  pattern.paper = {PaperEnd{PaperShape::ROUND, paper, 0.}, PaperEnd{PaperShape::SQUARE, paper, 0.}};
   pattern.ring[pattern.ringEdges++] = {1., 1.};
   if (ringInner > 0.) {
     pattern.ring[pattern.ringEdges++] = {ringInner, -1.};

@@ -25,6 +25,7 @@
 #include <Eigen/LU>
 
 #include "refine/few_pixels.h"
+#include "refine/surround.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -148,14 +149,13 @@ bool isHopeless(const FittedPose &fit, const FittedPose &best, double noise)
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
                                    const Recognition &marker, bool refine, MeasureMemory &memory)
 {
-  const MarkerPattern pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
+  MarkerPattern pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
   FitSettings settings;
   settings.spinIsKnown = pattern.sectors > 0;
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
 
   // All starts on few pixels, to know which are worth more and how wide the blur is.
-  const double quietZone = marker.family.getLayout().quietZone;
-  selectFewPixels(I, camera, marker.poses.data(), marker.poses.size(), pattern, commonBlur, quietZone, memory.pixels);
+  selectFewPixels(I, camera, marker.poses.data(), marker.poses.size(), pattern, commonBlur, memory.pixels);
   FitSettings coarse = settings;
   coarse.convergence = coarseConvergence;
   coarse.exactBends = false;
@@ -177,8 +177,12 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
       fits.pop_back();
     }
     const std::array<MarkerPlane, 2> planes = {fits.front().plane, fits.back().plane};
+    if (!settings.spinIsKnown) {
+      PaperEnd &square = pattern.paper[static_cast<std::size_t>(PaperShape::SQUARE)];
+      square.angle = squareAngleOf(I, camera, planes[0], square.extent);
+    }
     const double blur = std::clamp(fits[0].photometry.blur.sigma, leastBlur, mostBlur);
-    selectPixels(I, camera, planes.data(), fits.size(), pattern, blur, quietZone, manyPixels, memory.pixels);
+    selectPixels(I, camera, planes.data(), fits.size(), pattern, blur, manyPixels, memory.pixels);
     std::vector<FitStart> starts;
     for (const FittedPose &fit : fits) {
       starts.push_back({fit.plane, fit.photometry, noise});

@@ -22,7 +22,7 @@
 
 #include <Eigen/Core>
 
-#include <visp3/circle_marker/vpConfigCircleMarker.h>
+#include "refine/paper_end.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -32,14 +32,6 @@ struct BlurParameters
   double sigma = 0.8; //!< Standard deviation of lens blur and pixel area together, pixels.
   double growth = 0.; //!< Distance by which every black region is larger than designed, pixels.
 };
-
-/*! Where the paper around a marker ends, if it ends as early as it may. */
-enum class PaperShape
-{
-  ROUND, //!< At a circle.
-  SQUARE //!< At a square, as markers are printed and cut out.
-};
-constexpr std::size_t paperShapes = 2;
 
 /*! Light, contrast and blur of a marker's image. */
 struct Photometry

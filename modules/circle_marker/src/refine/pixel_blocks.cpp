@@ -22,6 +22,8 @@
 
 #include <Eigen/LU>
 
+#include "refine/surround.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
@@ -76,8 +78,8 @@ int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, double u
 }
 
 // What the surround may do to a pixel: something between nothing and all of its share.
-void putSurround(const FitPixel &pixel, const Photometry &photometry, double noise, Eigen::Index lane,
-                 PixelBlock &block)
+void putSurround(const FitPixel &pixel, const MarkerPlane &plane, const PaperEnds &papers, const Photometry &photometry,
+                 double noise, Eigen::Index lane, PixelBlock &block)
 {
   block.grey[lane] = static_cast<float>(pixel.grey);
   block.spread[lane] = 0.f;
@@ -86,12 +88,14 @@ void putSurround(const FitPixel &pixel, const Photometry &photometry, double noi
   double variance = 0.;
   double most = 0.;
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-    const BeyondPaper &beyond = pixel.beyond[shape];
+    BeyondPaper beyond = pixel.beyond[shape];
     block.surround[shape][lane] = 0.f;
     block.beyond[shape][lane] = 0.f;
     if (beyond.share <= 0.) {
       continue;
     }
+    // The pose is better known than when the pixel was chosen.
+    beyond.share = shareBeyond(planePoint(pixel.model, plane), papers[shape], photometry.blur.sigma);
     double doubt = 0.25 * light * light; // where nothing is seen of it, anything is possible
     if (std::isfinite(beyond.spread)) {
       block.surround[shape][lane] = static_cast<float>(beyond.share);
@@ -129,8 +133,9 @@ void putSectors(float x, float y, const MarkerPattern &pattern, int borders, std
 }
 
 // Adds a pixel to the blocks of its kind.
-void put(const FitPixel &pixel, PixelSight sight, const PlaceLanes &place, const PlaneLanes &point, Eigen::Index from,
-         const MarkerPattern &pattern, const Photometry &photometry, double noise, PixelBlocks &blocks)
+void put(const FitPixel &pixel, const MarkerPlane &plane, PixelSight sight, const PlaceLanes &place,
+         const PlaneLanes &point, Eigen::Index from, const MarkerPattern &pattern, const Photometry &photometry,
+         double noise, PixelBlocks &blocks)
 {
   const auto kind = static_cast<std::size_t>(sight);
   const std::size_t lane = blocks.count[kind]++ % laneCount;
@@ -148,7 +153,7 @@ void put(const FitPixel &pixel, PixelSight sight, const PlaceLanes &place, const
   block.place.yByV[to] = place.yByV[from];
   block.offsetU[to] = static_cast<float>(pixel.offset.x());
   block.offsetV[to] = static_cast<float>(pixel.offset.y());
-  putSurround(pixel, photometry, noise, to, block);
+  putSurround(pixel, plane, pattern.paper, photometry, noise, to, block);
   if (sight != PixelSight::RING) {
     putSectors(point.qx[from], point.qy[from], pattern, blocks.borders, lane, block);
   }
@@ -197,7 +202,7 @@ void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, c
     homography.apply(place, point);
     for (Eigen::Index lane = 0; lane < count; ++lane) {
       const PixelSight sight = sightOf(point.radius[lane], static_cast<float>(seen) * point.gradient[lane], pattern);
-      put(pixels[start + static_cast<std::size_t>(lane)], sight, place, point, lane, pattern, photometry, noise,
+      put(pixels[start + static_cast<std::size_t>(lane)], plane, sight, place, point, lane, pattern, photometry, noise,
           blocks);
     }
   }

@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "support/bilinear.h"
+#include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -68,6 +69,25 @@ Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, 
                                   : std::numeric_limits<float>::infinity();
   }
   return surround;
+}
+
+double shareBeyond(const PlanePoint &point, const PaperEnd &paper, double blur)
+{
+  const NormalDistribution &normal = NormalDistribution::instance();
+  if (paper.shape == PaperShape::ROUND) {
+    const double radius = point.q.norm();
+    const double gradient = (point.byPixel.transpose() * (point.q / radius)).norm();
+    return normal.at((radius - paper.extent) / (gradient * blur)).cumulative;
+  }
+  const Eigen::Vector2d q = paper.alongAxes(point.q);
+  const Eigen::Vector2d byU = paper.alongAxes(point.byPixel.col(0));
+  const Eigen::Vector2d byV = paper.alongAxes(point.byPixel.col(1));
+  double inside = 1.;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double distance = (paper.extent - std::abs(q[axis])) / std::hypot(byU[axis], byV[axis]);
+    inside *= normal.at(distance / blur).cumulative;
+  }
+  return 1. - inside;
 }
 
 double squareAngleOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,

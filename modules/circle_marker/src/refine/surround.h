@@ -28,30 +28,15 @@
 #define VP_CIRCLE_MARKER_SURROUND_H
 
 #include <array>
-#include <cmath>
 
 #include "pose/marker_plane.h"
-#include "refine/photometry.h"
+#include "refine/plane_point.h"
 #include "support/camera_model.h"
 
 #include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! The end of the paper, on the marker's plane. */
-struct PaperEnd
-{
-  PaperShape shape = PaperShape::ROUND;
-  double extent = 1.; //!< Radius of the circle or half of the square's width, in units of the outer radius.
-  double angle = 0.;  //!< Of the square's axes, rad.
-
-  //! Coordinates along the square's axes.
-  Eigen::Vector2d alongAxes(const Eigen::Vector2d &q) const
-  {
-    return {std::cos(angle) * q.x() + std::sin(angle) * q.y(), std::cos(angle) * q.y() - std::sin(angle) * q.x()};
-  }
-};
-
 /*! Grey level beyond the quiet zone, in directions around the marker. */
 struct Surround
 {
@@ -73,6 +58,14 @@ struct Surround
 */
 Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
                     const PaperEnd &paper, double blur);
+
+/*!
+  Share of what a pixel sees that may lie beyond the paper.
+  \param point : The pixel on the marker's plane.
+  \param paper : Where the paper ends at the earliest.
+  \param blur : Standard deviation of the blur, pixels.
+*/
+double shareBeyond(const PlanePoint &point, const PaperEnd &paper, double blur);
 
 /*!
   Angle of the square sheet around a marker whose frame does not tell it, in [0, pi / 2): the one at which what is
