@@ -107,12 +107,17 @@ TEST(PixelBlocks, DoubtGrowsWithTheDifferenceOfTheSurround)
   const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., 0., side);
   const CameraModel camera(scene.camera());
   pixel.model = {camera.toMeter(Eigen::Vector2d(75., 75.)), camera.meterPerPixel(Eigen::Vector2d(75., 75.))};
-  const MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
+  MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
+  const PlanePoint point = planePoint(pixel.model, scene.plane());
+  const double gradient = (point.byPixel.transpose() * point.q.normalized()).norm();
   Photometry photometry;
   photometry.light = 200.;
   photometry.surround = {{1., 0.}};
   const auto varianceOf = [&](double share, double beyond, double spread) {
     pixel.beyond[0] = {share, beyond, spread};
+    // The paper ends where the pixel sees that share of what lies beyond: 0.2533 and 0.8416 are normal quantiles.
+    const double quantile = share == 0.5 ? 0. : share == 0.4 ? 0.2533 : 0.8416;
+    pattern.paper[0].extent = point.q.norm() + quantile * photometry.blur.sigma * gradient;
     PixelBlocks blocks;
     packPixels({pixel}, scene.plane(), pattern, photometry, 2., blocks);
     return static_cast<double>(blocks.bySight[0][0].variance[0]);
