@@ -220,7 +220,7 @@ TEST(Report, FramesSpinAndEllipse)
     EXPECT_EQ(aligned.dof, family.isCoded() ? 6u : 5u);
     // Points of the outline lie on the ellipse.
     const double c = std::cos(aligned.ellipse.angle), s = std::sin(aligned.ellipse.angle);
-    for (const vpImagePoint &point : outlineOf(result->first.plane, camera, 20)) {
+    for (const vpImagePoint &point : outlineOf(marker, result->first.plane, camera, 20)) {
       const double x = point.get_u() - aligned.ellipse.center.get_u();
       const double y = point.get_v() - aligned.ellipse.center.get_v();
       EXPECT_NEAR(std::hypot((c * x + s * y) / aligned.ellipse.a, (c * y - s * x) / aligned.ellipse.b), 1., 1e-6);

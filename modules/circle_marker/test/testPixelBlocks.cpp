@@ -17,6 +17,7 @@
 
 #include "testRoomTools.h"
 
+#include "refine/plane_point.h"
 #include "refine/image_model.h"
 
 using namespace circle_marker;
