@@ -361,3 +361,34 @@ TEST(MaximumLikelihood, RefusesWhatIsNoImageOfIt)
   made.pixels.clear();
   EXPECT_FALSE(fitAll(made.pixels, made.scene.plane(), made.pattern, settingsOf(family)));
 }
+
+TEST(MaximumLikelihood, CovarianceGrowsWhereNeighboursPullTogether)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const vpImage<unsigned char> I(side, side, 0);
+  double independent = 0., together = 0.;
+  constexpr int trials = 10;
+  for (int i = 0; i < trials; ++i) {
+    Case made =
+        makeCase(markerScene(random, family, 7, uniform(random, 50., 90.), uniform(random, 0.2, 0.6), side), 7, I);
+    BlurParameters blur;
+    blur.sigma = 0.8;
+    FitSettings settings = settingsOf(family);
+    const auto varianceOf = [&](bool judged) {
+      settings.exactBends = judged;
+      const auto fit = fitAll(made.pixels, made.scene.plane(), made.pattern, settings);
+      return fit->covariance.trace() / (fit->noise * fit->noise);
+    };
+    fillFromModel(made, Light(), blur, 2., random);
+    independent += varianceOf(true) / varianceOf(false) / trials;
+    // A wave over the marker that no parameter explains, as large as the noise.
+    for (FitPixel &pixel : made.pixels) {
+      pixel.grey += 3. * std::cos(6. * pixel.offset.x() + 2. * pixel.offset.y());
+    }
+    together += varianceOf(true) / varianceOf(false) / trials;
+  }
+  EXPECT_GT(independent, 1. - 1e-9);
+  EXPECT_LT(independent, 1.1);
+  EXPECT_GT(together, 2.);
+}

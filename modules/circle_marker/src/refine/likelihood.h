@@ -99,6 +99,14 @@ public:
   /*! The residuals of the last pass are those of the present parameters. */
   void keepResiduals() { m_memory.residuals.swap(m_memory.trial); }
 
+  /*!
+    How much more neighbouring pixels pull together at the pose than independent noise would make them: the mean ratio
+    of the variances of the pulls' sums over clusters of pixels. 1 if that is within chance or the pixels are too few to
+    tell; more if the print is bent, moved or lit in a way that the model does not know. It is the factor between the
+    sandwich covariance with these clusters (White, Econometrica 48, 1980) and that of the normal equations.
+  */
+  double coherence(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
+
   /*! The residuals at a pose, without equations. */
   void evaluate(const MarkerPlane &plane, const Photometry &photometry);
 

@@ -256,8 +256,9 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
   if (!inverse.allFinite()) {
     return std::nullopt;
   }
+  const double coherence = settings.exactBends ? fit.coherence(result.plane, result.photometry, noise) : 1.;
   Eigen::Matrix<double, 6, 6> covariance =
-      biweightCovariance * result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
+      coherence * biweightCovariance * result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
   if (!settings.spinIsKnown) {
     covariance.row(spinAt).setZero();
     covariance.col(spinAt).setZero();
