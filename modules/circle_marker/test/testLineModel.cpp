@@ -137,7 +137,7 @@ TEST(LineModel, CorrectionTakesMostOfTheParabolasErrorAway)
   for (const vpCircleMarkerFamily::vpType type : families) {
     const vpCircleMarkerFamily family(type);
     for (int i = 0; i < 5; ++i) {
-      Case made(smallScene(random, family, uniform(random, 7., 10.)), 0.7);
+      Case made(smallScene(random, family, uniform(random, 5., 8.)), 0.7);
       const auto errorOf = [&made]() {
         const ImageModel model(made.plane, made.pattern, made.photometry.blur, made.blocks);
         Error error;

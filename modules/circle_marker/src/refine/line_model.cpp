@@ -55,9 +55,11 @@ constexpr std::array<Node, 12> trackNodes = {{{-3.3f, 0.00103381f},
 // Crossings farther away than this many standard deviations see none of the blur.
 constexpr float farAway = 5.f;
 
-// Bend of an edge, curvature times blur / 2, from which parabolas leave an error that shows: it is of the order of the
-// bend's square at corners and of its cube elsewhere, and a tenth of the pose's standard deviation at this bend.
-constexpr float strongBend = 0.08f;
+// Bend of an edge, curvature times blur / 2, from which parabolas leave an error that shows, for the ring, where it is
+// of the order of the bend's cube and the pose leans on it, and for the track, where it is of that of its square: up to
+// there the depth is biased by less than a fifth of its standard deviation.
+constexpr float strongBendOfRing = 0.09f;
+constexpr float strongBendOfTrack = 0.13f;
 
 // 1 where a value is positive, else 0.
 Lanes isPositive(const Lanes &value)
@@ -245,8 +247,10 @@ bool LineModel::isBent(const PixelBlock &block, PixelSight sight) const
   const Lanes hu = p.qyByU * p.outX - p.qxByU * p.outY;
   const Lanes hv = p.qyByV * p.outX - p.qxByV * p.outY;
   const Lanes h = (hv * p.gradientU - hu * p.gradientV) / p.gradient;
-  const float least = sight != PixelSight::RING ? m_track[1] : m_ring[1] > 0.f ? m_ring[1] : m_ring[0];
-  return (h * h / p.gradient).maxCoeff() > 2.f * strongBend * m_perSigma * least;
+  const float bend = 0.5f / m_perSigma * (h * h / p.gradient).maxCoeff(); // of a circle of radius 1
+  const float ring = m_ring[1] > 0.f ? m_ring[1] : m_ring[0];
+  return (sight != PixelSight::TRACK && bend > strongBendOfRing * ring) ||
+         (sight != PixelSight::RING && bend > strongBendOfTrack * m_track[1]);
 }
 
 bool correctBends(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,

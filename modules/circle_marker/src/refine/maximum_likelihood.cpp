@@ -54,7 +54,7 @@ constexpr double stepError = 0.2;
 constexpr double sortAgain = 0.5;
 // The correction of strong bends is made again at the end if pose or blur have changed by more than this, pixels: it
 // has changed by no more than a few hundredths of itself by then.
-constexpr double correctAgain = 0.05;
+constexpr double correctAgain = 0.1;
 // The surround is also judged again at the end if it is by this factor more or less even than was thought.
 constexpr double unevenAgain = 1.4;
 // And the surround is judged again when the light has changed by this share of it: white paper beyond the quiet zone
