@@ -21,9 +21,7 @@
 #include <array>
 #include <cmath>
 
-#include "refine/lanes.h"
-#include "refine/plane_point.h"
-#include "refine/surround.h"
+#include "refine/surround_share.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -32,18 +30,6 @@ namespace {
 // tells of its place and 1 % of what it tells of the blur; and the pose is known to this, pixels.
 constexpr double bandOfBlur = 2.4;
 constexpr double poseError = 0.3;
-// A pixel that may see more than this share of what lies beyond the quiet zone is not used.
-constexpr double mostSurround = 0.9;
-// A pixel that sees less than this share of it sees nothing: a thousandth of the light is below the noise.
-constexpr double leastSurround = 0.001;
-// So many standard deviations of the blur away it is less.
-constexpr double clearOfSurround = 3.1;
-// The marker's box is looked through in tiles of laneCount pixels in either direction: far from all edges, or within a
-// sector, one pixel of a tile is enough to know the level of the flat areas.
-constexpr double tileHalf = 0.5 * (laneCount - 1);      // pixels, from its first pixel to its centre
-constexpr double tileRadius = 0.7072 * (laneCount - 1); // pixels, from its centre to its corners
-// Sectors that are narrower than this at the track's outer rim, in units of the band, are used as a whole.
-constexpr double narrowSector = 3.;
 // Hypotheses that are served.
 constexpr std::size_t mostHypotheses = 2;
 
@@ -95,179 +81,6 @@ double edgeLength(const MarkerPattern &pattern, double meanRadius)
   return length * meanRadius;
 }
 
-// A tile as one hypothesis sees it: the plane to first order around the tile's centre.
-struct Tile
-{
-  PlanePoint center;
-  Eigen::Matrix2d metric; // of the plane in the image: a direction o of the plane has the gradient sqrt(o' metric o)
-  std::array<Eigen::Vector2f, 3> borders; // unit vectors across edges between sectors, divided by their gradient
-  int bordersSeen = 0;
-  bool everySector = false; // sectors are so narrow that there is no need to look for their borders
-};
-
-// A look at one hypothesis, tile by tile.
-class Hypothesis
-{
-public:
-  Hypothesis(const MarkerPlane &plane, const MarkerPattern &pattern, double band)
-      : m_plane(plane), m_pattern(pattern), m_band(band)
-  {
-  }
-
-  // Whether any pixel of a tile may be near an edge.
-  bool enter(const ModelPixel &center)
-  {
-    m_tile.center = planePoint(center, m_plane);
-    m_tile.metric = m_tile.center.byPixel * m_tile.center.byPixel.transpose();
-    const double radius = m_tile.center.q.norm();
-    // However the tile lies, the radius changes by no more than this to its corners.
-    const double change = (m_band + tileRadius) * std::sqrt(m_tile.metric.trace());
-    bool isNear = false;
-    for (unsigned int i = 0; i < m_pattern.ringEdges; ++i) {
-      isNear = isNear || std::abs(radius - m_pattern.ring[i].radius) < change;
-    }
-    if (m_pattern.sectors == 0) {
-      return isNear;
-    }
-    if (radius > m_pattern.track[0].radius + change || radius < m_pattern.track[1].radius - change) {
-      return isNear;
-    }
-    isNear = isNear || std::abs(radius - m_pattern.track[0].radius) < change ||
-             std::abs(radius - m_pattern.track[1].radius) < change;
-    return seeBorders(radius) || isNear;
-  }
-
-  // Distance of the pixels of a row of the tile to the nearest edge; row: its distance below the tile's centre, pixels.
-  Lanes distances(double row) const
-  {
-    const Eigen::Vector2f middle = (m_tile.center.q + row * m_tile.center.byPixel.col(1)).cast<float>();
-    const Eigen::Vector2f step = m_tile.center.byPixel.col(0).cast<float>();
-    const Lanes offset = Lanes::LinSpaced(-static_cast<float>(tileHalf), static_cast<float>(tileHalf));
-    const Lanes qx = middle.x() + step.x() * offset;
-    const Lanes qy = middle.y() + step.y() * offset;
-    const Lanes radius = (qx * qx + qy * qy).max(1e-12f).sqrt();
-    const Eigen::Matrix2f metric = m_tile.metric.cast<float>();
-    const Lanes perGradient =
-        radius * (metric(0, 0) * qx * qx + 2.f * metric(0, 1) * qx * qy + metric(1, 1) * qy * qy).rsqrt();
-    const auto toCircle = [&](const RadialEdge &edge) -> Lanes {
-      return (radius - static_cast<float>(edge.radius)).abs() * perGradient;
-    };
-    Lanes nearest = toCircle(m_pattern.ring[0]);
-    if (m_pattern.ringEdges > 1) {
-      nearest = nearest.min(toCircle(m_pattern.ring[1]));
-    }
-    if (m_pattern.sectors == 0) {
-      return nearest;
-    }
-    nearest = nearest.min(toCircle(m_pattern.track[0])).min(toCircle(m_pattern.track[1]));
-    // Outside of the track a border counts from the rim on: the larger of both distances is near enough.
-    const Lanes outside = ((radius - static_cast<float>(m_pattern.track[0].radius))
-                               .max(static_cast<float>(m_pattern.track[1].radius) - radius)
-                               .max(0.f)) *
-                          perGradient;
-    if (m_tile.everySector) {
-      return nearest.min(outside);
-    }
-    for (int k = 0; k < m_tile.bordersSeen; ++k) {
-      const Eigen::Vector2f &across = m_tile.borders[static_cast<std::size_t>(k)];
-      nearest = nearest.min((across.x() * qx + across.y() * qy).abs().max(outside));
-    }
-    return nearest;
-  }
-
-private:
-  // The edges between sectors that a tile may see; whether there are any.
-  bool seeBorders(double radius)
-  {
-    const double sectorAngle = 2. * M_PI / m_pattern.sectors;
-    const double perPixel = std::sqrt(m_tile.metric.trace());
-    m_tile.everySector = sectorAngle * m_pattern.track[0].radius < narrowSector * m_band * perPixel ||
-                         (m_band + tileRadius) * perPixel > sectorAngle * radius;
-    m_tile.bordersSeen = 0;
-    if (m_tile.everySector) {
-      return true;
-    }
-    const int nearest = m_pattern.nearestBorder(m_tile.center.q);
-    for (int border = nearest - 1; border <= nearest + 1; ++border) {
-      if (m_pattern.isBlack(border) == m_pattern.isBlack(border - 1)) {
-        continue;
-      }
-      const Eigen::Vector2d &across = m_pattern.acrossBorder(border);
-      const double gradient = (m_tile.center.byPixel.transpose() * across).norm();
-      if (std::abs(across.dot(m_tile.center.q)) < (m_band + tileRadius) * gradient) {
-        m_tile.borders[static_cast<std::size_t>(m_tile.bordersSeen++)] = (across / gradient).cast<float>();
-      }
-    }
-    return m_tile.bordersSeen > 0;
-  }
-
-  const MarkerPlane &m_plane;
-  const MarkerPattern &m_pattern;
-  const double m_band; // pixels
-  Tile m_tile;
-};
-
-// Completes pixels with what they see of the surround.
-class SurroundShare
-{
-public:
-  SurroundShare(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                std::size_t count, const PaperEnds &papers, double blur)
-      : m_planes(planes), m_count(count), m_outermost(papers[0].extent), m_blur(blur), m_papers(papers)
-  {
-    for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-      m_surrounds[shape] = surroundOf(I, camera, planes[0], m_papers[shape], blur);
-    }
-  }
-
-  // Whether the pixel sees enough of the marker.
-  bool complete(FitPixel &pixel) const
-  {
-    if (!m_isNear) {
-      return true;
-    }
-    for (std::size_t i = 0; i < m_count; ++i) {
-      const PlanePoint point = planePoint(pixel.model, m_planes[i]);
-      if (point.q.norm() < m_outermost - clearOfSurround * m_blur * point.byPixel.norm()) {
-        continue;
-      }
-      for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-        const Surround &surround = m_surrounds[shape];
-        const double share = shareBeyond(point, m_papers[shape], m_blur);
-        if (share > mostSurround) {
-          return false;
-        }
-        BeyondPaper &beyond = pixel.beyond[shape];
-        if (share > std::max(beyond.share, leastSurround)) {
-          const unsigned int direction = Surround::directionOf(point.q);
-          beyond = {share, static_cast<double>(surround.grey[direction]),
-                    static_cast<double>(surround.spread[direction])};
-        }
-      }
-    }
-    return true;
-  }
-
-  // Tells whether any pixel of the tile around a pixel may see the surround.
-  void enter(const ModelPixel &center)
-  {
-    m_isNear = false;
-    for (std::size_t i = 0; i < m_count; ++i) {
-      const PlanePoint point = planePoint(center, m_planes[i]);
-      m_isNear =
-          m_isNear || point.q.norm() > m_outermost - (clearOfSurround * m_blur + tileRadius) * point.byPixel.norm();
-    }
-  }
-
-private:
-  bool m_isNear = true;
-  const MarkerPlane *m_planes;
-  const std::size_t m_count;
-  const double m_outermost;
-  const double m_blur;
-  const PaperEnds &m_papers;
-  std::array<Surround, paperShapes> m_surrounds;
-};
 } // namespace
 
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
@@ -287,8 +100,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   const int keep = std::max(1, static_cast<int>(std::ceil(expected / most)));
   const int slant = static_cast<int>(std::lround(0.382 * keep));
   SurroundShare surround(I, camera, planes, count, pattern.paper, blur);
-  std::array<Hypothesis, mostHypotheses> hypotheses = {
-      {{planes[0], pattern, band}, {planes[count - 1], pattern, band}}};
+  std::array<TileView, mostHypotheses> hypotheses = {{{planes[0], pattern, band}, {planes[count - 1], pattern, band}}};
   const auto add = [&](int u, int v, FitPixel &pixel) {
     const Eigen::Vector2d where(u, v);
     pixel.model.meter = camera.toMeter(where);

@@ -23,17 +23,12 @@
 
 #include <Eigen/Cholesky>
 
+#include "refine/grey_model.h"
 #include "refine/line_model.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Tukey's constant for 95 % efficiency with normal noise.
-constexpr double tukey = 4.685;
-// Ratio of a normal distribution's standard deviation to its median absolute value.
-constexpr double sigmaOfMedian = 1.4826;
-// And to its 80 % quantile.
-constexpr double sigmaOfQuantile = 0.7803;
 // A print that stands out by less than this, grey levels, is none; rounding alone never gives as much.
 constexpr double leastContrast = 0.5;
 // Black grows by no more than this, pixels, and is expected to grow by none to this standard deviation.
@@ -41,14 +36,6 @@ constexpr double growthPrior = 0.3;
 // The paper mostly ends where it may, at a square or, less often, at a circle, or goes on in some directions.
 constexpr std::array<double, paperShapes> expectedSurround = {{0.25, 0.5}};
 constexpr double surroundPrior = 0.5;
-// The share of the surround differs by no less than this from direction to direction, and is not known to differ by
-// more.
-constexpr double leastUneven = 0.03;
-constexpr double mostUneven = 0.3;
-// It shows where the surround may change a pixel by more than this many standard deviations of the noise, if there are
-// so many of these pixels.
-constexpr float clearSpread = 2.f;
-constexpr double leastClearPixels = 20.;
 // In the first guess of light and contrast, before the noise is known, a pixel with this variance, grey levels^2, from
 // the surround counts half.
 constexpr float guessedVariance = 25.f;
@@ -56,32 +43,6 @@ constexpr float guessedVariance = 25.f;
 constexpr std::size_t blocksToFlush = 32;
 
 constexpr int products = parameters * (parameters + 1) / 2;
-
-// Weight and loss of a residual.
-struct LossLanes
-{
-  Lanes kept;   // share of the pixel that is not taken for an outlier
-  Lanes tells;  // how much the pixel tells of the noise: little if the surround may change it
-  Lanes weight; // with that of the noise in what is uncertain of it
-  Lanes cost;
-};
-
-// Tukey's biweight of residuals with noise and what the surround may add.
-LossLanes biweight(const Lanes &residual, const Lanes &variance, float noise)
-{
-  const float bound = static_cast<float>(tukey * tukey);
-  const Lanes perVariance = (noise * noise + variance).inverse();
-  const Lanes kept = (1.f - residual.square() * perVariance * (1.f / bound)).max(0.f);
-  const Lanes certainty = noise * noise * perVariance;
-  return {kept.square(), certainty.square(), certainty * kept.square(),
-          noise * noise * bound / 3.f * (1.f - kept.cube())};
-}
-
-// 1 for lanes that hold a pixel, else 0.
-Lanes holdsPixel(const PixelBlock &block)
-{
-  return (1e-3f * (noPixel - block.variance)).min(1.f);
-}
 
 // Sums of one pass, in lanes and then in double precision.
 class Sums
@@ -156,68 +117,6 @@ private:
   std::size_t m_blocks = 0;
 };
 
-// Clusters of neighbouring pixels whose pulls on the parameters are compared with what independent noise would give.
-constexpr std::size_t clusters = 32;
-// Fewer than this, and they tell nothing.
-constexpr std::size_t leastClusters = 10;
-// The ratio counts if it is above that of independent noise by this many of its standard deviations.
-constexpr double clearOfChance = 3.;
-// With normal noise, mean of (w r)^2 over that of w for the biweight's weights w.
-constexpr double pullOfNoise = 0.6605;
-
-// Calls use(block, sight) for all blocks, in their order.
-template <class Use> void forEachBlock(const PixelBlocks &blocks, const Use &use)
-{
-  for (std::size_t kind = 0; kind < pixelSights; ++kind) {
-    for (const PixelBlock &block : blocks.bySight[kind]) {
-      use(block, static_cast<PixelSight>(kind));
-    }
-  }
-}
-
-// The grey levels of a block as the model has them.
-struct GreyLanes
-{
-  Lanes light;
-  Lanes reflectance;
-  Lanes paper; // share of what does not lie beyond the quiet zone
-  Lanes residual;
-};
-
-GreyLanes greyOf(const PixelBlock &block, const Photometry &photometry, const Lanes &darkness)
-{
-  GreyLanes grey;
-  grey.light = static_cast<float>(photometry.light) + static_cast<float>(photometry.lightGradient.x()) * block.offsetU +
-               static_cast<float>(photometry.lightGradient.y()) * block.offsetV;
-  const Lanes around = static_cast<float>(photometry.surround[0]) * block.surround[0];
-  const Lanes beside = static_cast<float>(photometry.surround[1]) * block.surround[1];
-  grey.paper = 1.f - around - beside;
-  grey.reflectance = 1.f - static_cast<float>(photometry.contrast) * darkness;
-  grey.residual = block.grey - grey.light * grey.reflectance - around * (block.beyond[0] - grey.light) -
-                  beside * (block.beyond[1] - grey.light);
-  return grey;
-}
-// Derivatives of a block's grey levels by all parameters.
-using RowLanes = std::array<Lanes, parameters>;
-
-void rowOf(const PixelBlock &block, const Photometry &photometry, const DarknessLanes &darkness, const GreyLanes &grey,
-           RowLanes &row)
-{
-  const Lanes byDarkness = -static_cast<float>(photometry.contrast) * grey.light;
-  for (std::size_t k = 0; k < poseSize; ++k) {
-    row[k] = byDarkness * darkness.byTwist[k];
-  }
-  const Lanes byLight = grey.reflectance + grey.paper - 1.f;
-  row[lightAt] = byLight;
-  row[gradientAt] = byLight * block.offsetU;
-  row[gradientAt + 1] = byLight * block.offsetV;
-  row[contrastAt] = -grey.light * darkness.value;
-  row[sigmaAt] = byDarkness * darkness.bySigma;
-  row[growthAt] = byDarkness * darkness.byGrowth;
-  for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-    row[surroundAt + shape] = block.surround[shape] * (block.beyond[shape] - grey.light);
-  }
-}
 } // namespace
 
 Likelihood::Likelihood(const MarkerPattern &pattern, const FitSettings &settings, FitMemory &memory)
@@ -291,67 +190,6 @@ Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &phot
   return equations;
 }
 
-double Likelihood::coherence(const MarkerPlane &plane, const Photometry &photometry, double noise) const
-{
-  const PixelBlocks &blocks = m_memory.blocks;
-  const std::size_t count = blocks.bySight[0].size() + blocks.bySight[1].size() + blocks.bySight[2].size();
-  const std::size_t blocksOfCluster = (count + clusters - 1) / clusters;
-  if (count < leastClusters) {
-    return 1.;
-  }
-  const ImageModel model(plane, m_pattern, photometry.blur, blocks);
-  DarknessLanes darkness;
-  RowLanes row;
-  using PoseMatrix = Eigen::Matrix<double, poseSize, poseSize>;
-  PoseMatrix all = PoseMatrix::Zero(), pulls = PoseMatrix::Zero();
-  std::array<PoseMatrix, clusters> information;
-  std::size_t cluster = 0, k = 0;
-  PoseMatrix ofCluster = PoseMatrix::Zero();
-  Eigen::Matrix<double, poseSize, 1> pull = Eigen::Matrix<double, poseSize, 1>::Zero();
-  const auto close = [&]() {
-    all += ofCluster;
-    pulls += pull * pull.transpose();
-    information[cluster++] = ofCluster;
-    ofCluster.setZero();
-    pull.setZero();
-  };
-  forEachBlock(blocks, [&](const PixelBlock &block, PixelSight sight) {
-    model.evaluate(block, sight, darkness);
-    const GreyLanes grey = greyOf(block, photometry, darkness.value);
-    rowOf(block, photometry, darkness, grey, row);
-    const LossLanes loss = biweight(grey.residual, block.variance, static_cast<float>(noise));
-    for (int i = 0; i < poseSize; ++i) {
-      const Lanes weighted = loss.weight * row[static_cast<std::size_t>(i)];
-      pull[i] += static_cast<double>((weighted * grey.residual).sum());
-      for (int j = 0; j <= i; ++j) {
-        ofCluster(i, j) += static_cast<double>((weighted * row[static_cast<std::size_t>(j)]).sum());
-        ofCluster(j, i) = ofCluster(i, j);
-      }
-    }
-    if (++k % blocksOfCluster == 0) {
-      close();
-    }
-  });
-  if (k % blocksOfCluster != 0) {
-    close();
-  }
-  // The pulls' sum is 0 after the fit, which takes a little away; the share of each cluster in what is known tells how
-  // much that is, and how much the ratio varies by chance.
-  const int fitted = m_settings.spinIsKnown ? poseSize : spinAt;
-  const Eigen::LDLT<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, poseSize, poseSize>> known(
-      all.topLeftCorner(fitted, fitted));
-  double squaredShares = 0.;
-  for (std::size_t i = 0; i < cluster; ++i) {
-    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, poseSize, poseSize> share =
-        known.solve(information[i].topLeftCorner(fitted, fitted));
-    squaredShares += (share * share).trace() / fitted;
-  }
-  const double expected = pullOfNoise * noise * noise * (1. - squaredShares);
-  const double ratio = known.solve(pulls.topLeftCorner(fitted, fitted)).trace() / (fitted * expected);
-  const double byChance = std::sqrt(2. * squaredShares / fitted);
-  return ratio > 1. + clearOfChance * byChance ? ratio : 1.;
-}
-
 void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry)
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
@@ -361,86 +199,6 @@ void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry
     model.evaluate(block, sight, darkness);
     m_memory.residuals.push_back(greyOf(block, photometry, darkness.value).residual);
   });
-}
-
-ResidualSpread Likelihood::spreadOfResiduals()
-{
-  std::vector<float> &absolute = m_memory.absolute;
-  absolute.clear();
-  std::size_t k = 0;
-  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
-    const Lanes &residual = m_memory.residuals[k++];
-    for (int lane = 0; lane < laneCount; ++lane) {
-      if (block.variance[lane] < static_cast<float>(quantisation * quantisation)) {
-        absolute.push_back(std::abs(residual[lane]));
-      }
-    }
-  });
-  if (absolute.empty()) {
-    return {HUGE_VAL, HUGE_VAL};
-  }
-  const auto quantile = [&absolute](double share) {
-    const auto place = absolute.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(absolute.size()));
-    std::nth_element(absolute.begin(), place, absolute.end());
-    return static_cast<double>(*place);
-  };
-  return {std::max(quantile(0.5) * sigmaOfMedian, quantisation),
-          std::max(quantile(0.8) * sigmaOfQuantile, quantisation)};
-}
-
-double Likelihood::unevenShareOfResiduals(double noise) const
-{
-  const auto sigma = static_cast<float>(noise);
-  double pixels = 0., squares = 0.;
-  std::size_t k = 0;
-  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
-    const Lanes &residual = m_memory.residuals[k++];
-    const Lanes isClear = (1e30f * (block.spread - clearSpread * sigma)).max(0.f).min(1.f) * holdsPixel(block);
-    const Lanes spread = block.spread.max(sigma);
-    const Lanes excess = ((residual.square() - sigma * sigma) / spread.square()).min(1.f);
-    pixels += static_cast<double>(isClear.sum());
-    squares += static_cast<double>((isClear * excess).sum());
-  });
-  if (pixels < leastClearPixels) {
-    return mostUneven;
-  }
-  return std::clamp(std::sqrt(std::max(squares / pixels, 0.)), leastUneven, mostUneven);
-}
-
-double Likelihood::costOfResiduals(const Photometry &photometry, double noise) const
-{
-  double cost = priorCost(photometry, noise);
-  std::size_t k = 0;
-  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
-    const LossLanes loss = biweight(m_memory.residuals[k++], block.variance, static_cast<float>(noise));
-    cost += static_cast<double>((loss.cost * holdsPixel(block)).sum());
-  });
-  return cost;
-}
-
-Explanation Likelihood::explain(double noise) const
-{
-  double n = 0., x = 0., y = 0., xx = 0., xy = 0., yy = 0., inliers = 0.;
-  std::size_t k = 0;
-  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
-    const Lanes &residual = m_memory.residuals[k++];
-    const LossLanes loss = biweight(residual, block.variance, static_cast<float>(noise));
-    const Lanes &w = loss.weight;
-    const Lanes model = block.grey - residual;
-    const Lanes wx = w * model;
-    const Lanes wy = w * block.grey;
-    n += static_cast<double>(w.sum());
-    x += static_cast<double>(wx.sum());
-    y += static_cast<double>(wy.sum());
-    xx += static_cast<double>((wx * model).sum());
-    xy += static_cast<double>((wx * block.grey).sum());
-    yy += static_cast<double>((wy * block.grey).sum());
-    inliers += static_cast<double>((loss.kept * holdsPixel(block)).sum());
-  });
-  const auto pixels =
-      static_cast<double>(m_memory.blocks.count[0] + m_memory.blocks.count[1] + m_memory.blocks.count[2]);
-  const double denominator = std::sqrt((n * xx - x * x) * (n * yy - y * y));
-  return {denominator > 0. ? (n * xy - x * y) / denominator : 0., inliers / std::max(pixels, 1.)};
 }
 
 double Likelihood::priorCost(const Photometry &photometry, double noise) const

@@ -1,0 +1,118 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Grey levels of a block of pixels as the model has them, and their weights.
+ */
+
+/*!
+  \file grey_model.h
+  \brief Grey levels of a block of pixels as the model has them, their derivatives and their weights: what all passes
+  over the pixels share.
+*/
+
+#ifndef VP_CIRCLE_MARKER_GREY_MODEL_H
+#define VP_CIRCLE_MARKER_GREY_MODEL_H
+
+#include <array>
+
+#include "refine/likelihood.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+// Tukey's constant for 95 % efficiency with normal noise.
+constexpr double tukey = 4.685;
+
+// Weight and loss of a residual.
+struct LossLanes
+{
+  Lanes kept;   // share of the pixel that is not taken for an outlier
+  Lanes tells;  // how much the pixel tells of the noise: little if the surround may change it
+  Lanes weight; // with that of the noise in what is uncertain of it
+  Lanes cost;
+};
+
+// Tukey's biweight of residuals with noise and what the surround may add.
+inline LossLanes biweight(const Lanes &residual, const Lanes &variance, float noise)
+{
+  const float bound = static_cast<float>(tukey * tukey);
+  const Lanes perVariance = (noise * noise + variance).inverse();
+  const Lanes kept = (1.f - residual.square() * perVariance * (1.f / bound)).max(0.f);
+  const Lanes certainty = noise * noise * perVariance;
+  return {kept.square(), certainty.square(), certainty * kept.square(),
+          noise * noise * bound / 3.f * (1.f - kept.cube())};
+}
+
+// 1 for lanes that hold a pixel, else 0.
+inline Lanes holdsPixel(const PixelBlock &block)
+{
+  return (1e-3f * (noPixel - block.variance)).min(1.f);
+}
+
+// Calls use(block, sight) for all blocks, in their order.
+template <class Use> void forEachBlock(const PixelBlocks &blocks, const Use &use)
+{
+  for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+    for (const PixelBlock &block : blocks.bySight[kind]) {
+      use(block, static_cast<PixelSight>(kind));
+    }
+  }
+}
+
+// The grey levels of a block as the model has them.
+struct GreyLanes
+{
+  Lanes light;
+  Lanes reflectance;
+  Lanes paper; // share of what does not lie beyond the quiet zone
+  Lanes residual;
+};
+
+inline GreyLanes greyOf(const PixelBlock &block, const Photometry &photometry, const Lanes &darkness)
+{
+  GreyLanes grey;
+  grey.light = static_cast<float>(photometry.light) + static_cast<float>(photometry.lightGradient.x()) * block.offsetU +
+               static_cast<float>(photometry.lightGradient.y()) * block.offsetV;
+  const Lanes around = static_cast<float>(photometry.surround[0]) * block.surround[0];
+  const Lanes beside = static_cast<float>(photometry.surround[1]) * block.surround[1];
+  grey.paper = 1.f - around - beside;
+  grey.reflectance = 1.f - static_cast<float>(photometry.contrast) * darkness;
+  grey.residual = block.grey - grey.light * grey.reflectance - around * (block.beyond[0] - grey.light) -
+                  beside * (block.beyond[1] - grey.light);
+  return grey;
+}
+// Derivatives of a block's grey levels by all parameters.
+using RowLanes = std::array<Lanes, parameters>;
+
+inline void rowOf(const PixelBlock &block, const Photometry &photometry, const DarknessLanes &darkness,
+                  const GreyLanes &grey, RowLanes &row)
+{
+  const Lanes byDarkness = -static_cast<float>(photometry.contrast) * grey.light;
+  for (std::size_t k = 0; k < poseSize; ++k) {
+    row[k] = byDarkness * darkness.byTwist[k];
+  }
+  const Lanes byLight = grey.reflectance + grey.paper - 1.f;
+  row[lightAt] = byLight;
+  row[gradientAt] = byLight * block.offsetU;
+  row[gradientAt + 1] = byLight * block.offsetV;
+  row[contrastAt] = -grey.light * darkness.value;
+  row[sigmaAt] = byDarkness * darkness.bySigma;
+  row[growthAt] = byDarkness * darkness.byGrowth;
+  for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+    row[surroundAt + shape] = block.surround[shape] * (block.beyond[shape] - grey.light);
+  }
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

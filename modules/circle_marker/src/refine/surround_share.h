@@ -1,0 +1,105 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Share of a pixel that may see what lies beyond the paper.
+ */
+
+/*!
+  \file surround_share.h
+  \brief Share of a pixel that may see what lies beyond the paper.
+*/
+
+#ifndef VP_CIRCLE_MARKER_SURROUND_SHARE_H
+#define VP_CIRCLE_MARKER_SURROUND_SHARE_H
+
+#include <algorithm>
+#include <array>
+
+#include "refine/surround.h"
+#include "refine/tile_view.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+// A pixel that may see more than this share of what lies beyond the quiet zone is not used.
+constexpr double mostSurround = 0.9;
+// A pixel that sees less than this share of it sees nothing: a thousandth of the light is below the noise.
+constexpr double leastSurround = 0.001;
+// So many standard deviations of the blur away it is less.
+constexpr double clearOfSurround = 3.1;
+
+/*! Completes pixels with what they see beyond the paper. */
+class SurroundShare
+{
+public:
+  SurroundShare(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
+                std::size_t count, const PaperEnds &papers, double blur)
+      : m_planes(planes), m_count(count), m_outermost(papers[0].extent), m_blur(blur), m_papers(papers)
+  {
+    for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+      m_surrounds[shape] = surroundOf(I, camera, planes[0], m_papers[shape], blur);
+    }
+  }
+
+  // Whether the pixel sees enough of the marker.
+  bool complete(FitPixel &pixel) const
+  {
+    if (!m_isNear) {
+      return true;
+    }
+    for (std::size_t i = 0; i < m_count; ++i) {
+      const PlanePoint point = planePoint(pixel.model, m_planes[i]);
+      if (point.q.norm() < m_outermost - clearOfSurround * m_blur * point.byPixel.norm()) {
+        continue;
+      }
+      for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+        const Surround &surround = m_surrounds[shape];
+        const double share = shareBeyond(point, m_papers[shape], m_blur);
+        if (share > mostSurround) {
+          return false;
+        }
+        BeyondPaper &beyond = pixel.beyond[shape];
+        if (share > std::max(beyond.share, leastSurround)) {
+          const unsigned int direction = Surround::directionOf(point.q);
+          beyond = {share, static_cast<double>(surround.grey[direction]),
+                    static_cast<double>(surround.spread[direction])};
+        }
+      }
+    }
+    return true;
+  }
+
+  // Tells whether any pixel of the tile around a pixel may see the surround.
+  void enter(const ModelPixel &center)
+  {
+    m_isNear = false;
+    for (std::size_t i = 0; i < m_count; ++i) {
+      const PlanePoint point = planePoint(center, m_planes[i]);
+      m_isNear =
+          m_isNear || point.q.norm() > m_outermost - (clearOfSurround * m_blur + tileRadius) * point.byPixel.norm();
+    }
+  }
+
+private:
+  bool m_isNear = true;
+  const MarkerPlane *m_planes;
+  const std::size_t m_count;
+  const double m_outermost;
+  const double m_blur;
+  const PaperEnds &m_papers;
+  std::array<Surround, paperShapes> m_surrounds;
+};
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
