@@ -219,6 +219,33 @@ TEST(ExperimentsProgram, OtherExperimentsRunToo)
   EXPECT_NE(report.find("thesis, table 5.5"), std::string::npos);
 }
 
+TEST(ExperimentsProgram, EvaluatesARecording)
+{
+  const fs::path folder = emptyFolder();
+  nlohmann::json marker = {{"family", "golay23"}, {"id", 5}, {"size_m", 0.18}};
+  std::string lines;
+  for (const double z : {2.001, 2.002, 2.003}) {
+    marker["cMo"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, z, 0, 0, 0, 1};
+    marker["covariance"] = std::vector<double>(36, 0.);
+    lines += nlohmann::json({{"cpu_ms", 3.}, {"markers", nlohmann::json::array({marker})}}).dump() + "\n";
+  }
+  for (const std::string place : {"2m", "slide"}) {
+    fs::create_directories(folder / "recording" / place);
+    write(folder / "recording" / place / "poses.jsonl", lines);
+  }
+  const Outcome outcome =
+      run(program, {"--output", "results", "--experiment", "1", "--recording", "recording"}, folder);
+  EXPECT_EQ(outcome.status, done) << outcome.err;
+  EXPECT_NE(contentOf(folder / "results" / "report.md").find("(0.000, 0.000, 2002.000)"), std::string::npos);
+  EXPECT_EQ(rowsOf(contentOf(folder / "results" / "experiment-1.csv")).size(), 7u); // With the line of titles.
+  if (hasGnuplot) {
+    EXPECT_TRUE(fs::exists(folder / "results" / "experiment-1-clouds.svg"));
+  }
+  const Outcome nothing = run(program, {"--output", "other", "--experiment", "1", "--recording", "nowhere"}, folder);
+  EXPECT_EQ(nothing.status, 1);
+  EXPECT_NE(nothing.err.find("\"nowhere\" holds no recording"), std::string::npos) << nothing.err;
+}
+
 TEST(ExperimentsProgram, WrongArgumentsEndWithTwo)
 {
   const fs::path folder = emptyFolder();
@@ -228,6 +255,7 @@ TEST(ExperimentsProgram, WrongArgumentsEndWithTwo)
       {"--experiment", "3"},
       {"--output", "", "--experiment", "3"},
       {"--output", "results", "--experiment", "4"},
+      {"--output", "results", "--experiment", "1"}, // Without a recording.
       {"--output", "results", "--experiment", "3", "--frames", "0"},
       {"--output", "results", "--experiment", "3", "--frames", "many"},
       {"--output", "results", "--experiment", "3", "--max-angle", "91"},

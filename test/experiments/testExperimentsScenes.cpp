@@ -15,6 +15,7 @@
  * Tests of the experiments' scenes: what they claim to vary is what varies.
  */
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -29,6 +30,7 @@
 #include "ideal_estimate.h"
 #include "laboratory.h"
 #include "poses.h"
+#include "reading.h"
 #include "report.h"
 
 using namespace experiments;
@@ -240,16 +242,73 @@ TEST(ExperimentsScenes, DesignsAreReadAndLimited)
   }
 }
 
+TEST(ExperimentsScenes, ReadingIsTheContrastOverTheSectors)
+{
+  // Of a sharp image the distance is contrast times the root of the flipped area in pixels, over the noise.
+  Scene scene;
+  scene.cam = referenceCamera();
+  scene.photometry.blurSigma = 0.2;
+  scene.photometry.noiseSigma = 2.;
+  const double depth = 1.;
+  const double radius = 0.09 * focalLength / depth; // Pixels.
+  const vpHomogeneousMatrix cMo(vpTranslationVector(0.1, -0.05, depth), vpRotationMatrix());
+  vpSimulatedMarker marker = vpSimulatedMarker::circle("golay23", 5, 0.18);
+  marker.setPose(cMo);
+  const double sector = M_PI * (0.68 * 0.68 - 0.4 * 0.4) / 23. * radius * radius;
+  const double one = (220. - 30.) * std::sqrt(sector) / 2.;
+  EXPECT_NEAR(readingDistance(marker, 1, scene), one, 0.03 * one);
+  EXPECT_NEAR(readingDistance(marker, 7, scene), std::sqrt(7.) * one, 0.03 * std::sqrt(7.) * one);
+  // Windows change the image as much as sectors of the same size; a tag's cells are squares.
+  vpSimulatedMarker windows = vpSimulatedMarker::rings({{0.2, 1.}}, 0.18);
+  windows.setTrack(0.4, 0.68, 23, 0b10101010101010101010101, true).setPose(cMo);
+  EXPECT_NEAR(readingDistance(windows, 1, scene), one, 0.03 * one);
+  vpSimulatedMarker tag = vpSimulatedMarker::aprilTag36h11(3, 0.16);
+  tag.setPose(cMo);
+  const double cell = 0.02 * focalLength / depth;
+  EXPECT_NEAR(readingDistance(tag, 1, scene), 190. * cell / 2., 0.03 * 190. * cell / 2.);
+}
+
+TEST(ExperimentsScenes, RivalsFillTheSameSheet)
+{
+  const Settings settings;
+  std::size_t rivals = 0;
+  for (const Series &series : experimentOfDesign(settings).series) {
+    if (series.group != rivalGroup && series.group != "sectors") {
+      continue;
+    }
+    ++rivals;
+    const Scene scene = series.scene(0, 1);
+    const vpSimulatedMarker marker = markerOf(*scene.design, settings, 1);
+    const bool isTag = scene.design->family == "36h11";
+    EXPECT_NEAR(marker.getSize(), isTag ? tagOnSheet(settings.sheetSide()) : settings.size, 1e-12) << series.title;
+    // What the detector looks for is a ring of the print, of the same ratio.
+    if (!isTag) {
+      const Wanted wanted = wantedOf(*scene.design, settings);
+      EXPECT_LE(wanted.size, settings.size + 1e-12) << series.title;
+      if (const auto &parts = scene.design->composition) {
+        const bool isThere = std::any_of(parts->rings.begin(), parts->rings.end(), [&](const auto &ring) {
+          return std::fabs(ring[1] * settings.size - wanted.size) < 1e-12 &&
+                 std::fabs(ring[0] - ring[1] * wanted.family.getLayout().ringInner) < 1e-12;
+        });
+        EXPECT_TRUE(isThere) << series.title;
+      }
+    }
+  }
+  EXPECT_EQ(rivals, 14u);
+}
+
 TEST(ExperimentsScenes, DesignFiguresAreMediansAndShares)
 {
   std::vector<std::optional<FrameSamples>> series;
   for (const double z : {1., 3., 8.}) {
     Sample seen;
+    seen.z = 10.; // Metres.
     seen.first = z < 5. ? std::optional<Deviation>(Deviation{0., 0., -z, 0.}) : std::nullopt;
     Sample limit;
     limit.method = Method::Limit;
     limit.first = Deviation{3., 4., z, 2. * z};
     limit.logOdds = z;
+    limit.reading = 4. * z;
     series.push_back(FrameSamples{seen, limit});
   }
   const DesignFigures figures = designFiguresOf(series);
@@ -261,6 +320,8 @@ TEST(ExperimentsScenes, DesignFiguresAreMediansAndShares)
   EXPECT_DOUBLE_EQ(figures.normalLimit, 6.);
   EXPECT_DOUBLE_EQ(figures.depthError, 2.); // Of 1 and 3.
   EXPECT_DOUBLE_EQ(figures.weakSeparation, 1.);
+  EXPECT_DOUBLE_EQ(figures.reading, 12.);
+  EXPECT_DOUBLE_EQ(figures.unread, 1. / 3.); // 4 is below 10.
 }
 
 TEST(ExperimentsScenes, ResilienceIsReported)

@@ -30,6 +30,7 @@ constexpr const char *allExperiments = "all";
 void addOptions(CLI::App &app, Settings &settings)
 {
   std::vector<std::string> names = experimentNames();
+  names.insert(names.begin(), recordedExperiment);
   names.push_back(allExperiments);
   app.add_option("--output", settings.output, "Folder to write to; made unless it is there")->required();
   app.add_option("--experiment", settings.experiments, "Which; several may be named, one after another")
@@ -57,6 +58,10 @@ void addOptions(CLI::App &app, Settings &settings)
       ->capture_default_str();
   app.add_option("--threads", settings.threads, "Frames made at once; all cores unless given")
       ->check(CLI::Range(1u, 256u));
+  app.add_option("--recording", settings.recording,
+                 "Experiment 1: folder with a folder for each place of the marker, such as 1m, 2.5m, slide, each with "
+                 "poses.jsonl as tutorial-circle-marker-detector-live --record writes it");
+  app.add_option("--id", settings.recordedId, "Experiment 1: id of the marker; the one found most often unless given");
   app.add_flag("--report-only", settings.reportOnly, "Draw the report again from the data in the folder");
 }
 
@@ -68,10 +73,17 @@ void checkTogether(Settings &settings)
   auto &names = settings.experiments;
   if (std::find(names.begin(), names.end(), allExperiments) != names.end()) {
     names = experimentNames();
+    if (!settings.recording.empty()) {
+      names.insert(names.begin(), recordedExperiment);
+    }
   }
   const auto asksFor = [&names](const char *name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
+  if (asksFor(recordedExperiment) && settings.recording.empty()) {
+    throw common::UsageError("experiment 1 evaluates a recording: name its folder with --recording; "
+                             "doc/experiments/experiment-1.md tells how to make it");
+  }
   if (settings.maximumAngle && names == std::vector<std::string>{"2"}) {
     throw common::UsageError("the markers of experiment 2 face the camera: leave --max-angle out");
   }
@@ -91,13 +103,14 @@ Request parseCommandLine(int argc, const char *const argv[])
   CLI::App app(
       "Does the experiments of the thesis again: J. Stork, Camera pose estimation with circular markers, University "
       "of\n"
-      "Amsterdam, 2012. Simulated camera, one marker.\n"
+      "Amsterdam, 2012. One marker; a simulated camera but in experiment 1.\n"
+      "  1             a recording of a camera: mean and covariance of the pose at each place of the marker\n"
       "  2             lines of poses that face the camera, 0.36 m to 22 m\n"
       "  3             random poses in the thesis's five cells of angle and depth\n"
       "  resilience    occlusion, noise, blur, motion, light, distortion: circular marker, plain ring, AprilTag\n"
       "  requirements  the thesis's section 2.2.1, one row each\n"
       "  design        the marker's measures, one after another: limits of the pose, reach of the detector\n"
-      "  all           all of these\n"
+      "  all           all of these, experiment 1 if --recording is given\n"
       "Writes the data (CSV), statistics (JSON), figures (SVG, drawn by gnuplot) and a report (report.html, "
       "report.md).",
       "circle-marker-experiments");

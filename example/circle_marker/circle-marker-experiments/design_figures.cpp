@@ -42,12 +42,15 @@ double medianOf(const std::vector<Sample> &samples, const SampleValue &value)
 
 DesignFigures designFiguresOf(const std::vector<std::optional<FrameSamples>> &series)
 {
-  const std::vector<Sample> seen = samplesOf(series, Method::Circle);
+  std::vector<Sample> seen = samplesOf(series, Method::Circle);
+  if (seen.empty()) {
+    seen = samplesOf(series, Method::AprilTag);
+  }
   const std::vector<Sample> limits = samplesOf(series, Method::Limit);
   const Summary summary = summaryOf(seen, Solutions::First);
   DesignFigures figures;
   figures.frames = seen.size();
-  figures.found = shareOf(summary.found, seen.size());
+  figures.found = shareOf(summary.found - summary.wrong, seen.size());
   // Depths are even over their range, so the share found is the part of the range that is within reach.
   figures.reach = leastDesignDepth + figures.found * (mostDesignDepth - leastDesignDepth);
   figures.depthLimit = medianOf(limits, [](const Sample &sample) { return sample.first->dz; });
@@ -55,6 +58,12 @@ DesignFigures designFiguresOf(const std::vector<std::optional<FrameSamples>> &se
       medianOf(limits, [](const Sample &sample) { return std::hypot(sample.first->dx, sample.first->dy); });
   figures.normalLimit = medianOf(limits, [](const Sample &sample) { return sample.first->normal; });
   figures.separation = medianOf(limits, [](const Sample &sample) { return std::sqrt(2. * sample.logOdds); });
+  figures.reading = medianOf(limits, [](const Sample &sample) { return sample.reading; });
+  constexpr double unsure = 10.; // An error's probability is Phi(-5).
+  figures.unread = shareOf(static_cast<std::size_t>(std::count_if(
+                               limits.begin(), limits.end(),
+                               [](const Sample &sample) { return sample.reading > 0. && sample.reading < unsure; })),
+                           limits.size());
   constexpr double weak = 10.; // Log-odds: one in 22000 for the wrong solution.
   figures.weakSeparation =
       shareOf(static_cast<std::size_t>(std::count_if(limits.begin(), limits.end(),

@@ -25,19 +25,24 @@ namespace experiments {
 constexpr double leastDesignDepth = 5.;
 constexpr double mostDesignDepth = 22.;
 
+/*! Group of the markers of another kind, whose levels are their places in a list. */
+constexpr const char *rivalGroup = "rival";
+
 /*! Figures of merit of a design over the poses of its series, which are the same for all designs. */
 struct DesignFigures
 {
   std::size_t frames = 0;     //!< Seen by the detector.
-  double found = 0.;          //!< Share of them with the marker found and identified.
+  double found = 0.;          //!< Share of them with the marker found and identified, at a pose that does not mislead.
   double reach = 0.;          //!< Depth to which that share of a range of depths goes, metres: what the share is worth.
   double depthLimit = 0.;     //!< Median over the poses of the bound's standard deviation of the depth, mm.
   double lateralLimit = 0.;   //!< The same across the line of sight, mm.
   double normalLimit = 0.;    //!< The same of the normal, degrees.
   double separation = 0.;     //!< Median over the poses of the distance of the two solutions' images, in sigmas.
   double weakSeparation = 0.; //!< Share of the poses with mean log-odds between the two solutions below 10.
-  double depthError = 0.;     //!< Median |error| of the depth of the detector's poses, mm.
-  double mirrored = 0.;       //!< Share of the markers found with the mirrored solution first.
+  double reading = 0.;    //!< Median over the poses of the distance to the marker most like it, in sigmas; 0 without.
+  double unread = 0.;     //!< Share of the poses at which it is less than 10: an ideal reader errs once in 3e6.
+  double depthError = 0.; //!< Median |error| of the depth of the detector's poses, mm.
+  double mirrored = 0.;   //!< Share of the markers found with the mirrored solution first.
 };
 
 DesignFigures designFiguresOf(const std::vector<std::optional<FrameSamples>> &series);

@@ -24,12 +24,12 @@
 #include <string>
 #include <vector>
 
-#include <visp3/circle_marker/vpCircleMarkerFamily.h>
 #include <visp3/circle_marker_simulator/vpScenePhotometry.h>
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpHomogeneousMatrix.h>
 
 #include "common/visp_names.h"
+#include "design.h"
 #include "method.h"
 #include "settings.h"
 #include "thesis_figures.h"
@@ -43,13 +43,6 @@ struct Cover
   double grey;      //!< Grey level of what covers it.
 };
 
-/*! A marker with a code that is printed otherwise than by default. */
-struct Design
-{
-  std::string family;          //!< One with a code.
-  vpCircleMarkerLayout layout; //!< The quiet zone fills the sheet, whose side is that of the settings.
-};
-
 /*! All that makes one image but the kind of marker. */
 struct Scene
 {
@@ -58,7 +51,7 @@ struct Scene
   vpScenePhotometry photometry;             //!< Light, blur, noise.
   vpSceneMotion motion;                     //!< During the exposure.
   std::optional<Cover> cover;               //!< What covers the marker.
-  std::optional<Design> design;             //!< Of the circular marker, unless it is the default.
+  std::optional<Design> design;             //!< Of the marker, unless it is the default.
   std::optional<std::uint64_t> clutterSeed; //!< Clutter behind the marker; a plain grey ground without.
 };
 
@@ -88,7 +81,10 @@ struct Experiment
 /*! The methods that see a frame: bound and limit are computed for every fifth only. */
 std::vector<Method> methodsOf(const Series &series, std::size_t frame);
 
-/*! Names of the experiments, as --experiment takes them. */
+/*! The experiment that has a recording of a camera in place of simulated frames. */
+constexpr const char *recordedExperiment = "1";
+
+/*! Names of the simulated experiments, as --experiment takes them. */
 const std::vector<std::string> &experimentNames();
 
 /*! \exception std::invalid_argument : If there is no experiment of that name. */

@@ -39,7 +39,7 @@ struct Variant
 
 Design defaultDesign()
 {
-  return {codedFamily, vpCircleMarkerLayout()};
+  return {codedFamily, vpCircleMarkerLayout(), std::nullopt};
 }
 
 /*! The ring's inner radius; gap and centre keep their widths, so the code track takes what the ring leaves. */
@@ -105,20 +105,73 @@ std::vector<Variant> families()
   return variants;
 }
 
+/*! A code of the default measures with other numbers of sectors, which no family has. */
+std::vector<Variant> sectorCounts()
+{
+  // Sectors and least distance of the best cyclic codes with a dozen ids and more: the quadratic residue code [17,9,5]
+  // (30 ids), the BCH code [21,12,5] (195), the Golay code [23,12,7] (178) and the BCH code [31,16,7] (2114).
+  std::vector<Variant> variants;
+  for (const auto &[sectors, distance] :
+       std::vector<std::pair<unsigned int, unsigned int>>{{17, 5}, {21, 5}, {23, 7}, {31, 7}}) {
+    const vpCircleMarkerLayout layout;
+    Design design = defaultDesign();
+    design.composition = Composition{{{layout.ringInner, 1.}}, {layout.codeInner, layout.codeOuter}, sectors, distance};
+    variants.push_back({"sectors", "sectors", static_cast<double>(sectors), design});
+  }
+  return variants;
+}
+
+/*! Markers of another kind, all with the Golay code but for those without any. */
+std::vector<Variant> rivals()
+{
+  constexpr unsigned int n = 23; // Sectors of the Golay code,
+  constexpr unsigned int d = 7;  // and its least distance.
+  const auto composed = [](const Composition &composition) {
+    Design design = defaultDesign();
+    design.composition = composition;
+    return design;
+  };
+  const auto named = [](const char *family, double ratio) {
+    Design design = defaultDesign();
+    design.family = family;
+    design.layout.ringInner = ratio;
+    return design;
+  };
+  const std::vector<std::pair<const char *, Design>> list = {
+      {"A: ring, code inside (default)", defaultDesign()},
+      {"B: code inside touching the ring", composed({{{0.8, 1.}}, {0.4, 0.8}, n, d})},
+      {"C: thick ring with white windows", composed({{{0.5, 1.}}, {0.66, 0.86}, n, d, true})},
+      {"D: ring, code outside", composed({{{0.4, 0.6}}, {0.72, 1.}, n, d})},
+      {"E: disc, code outside", composed({{{0., 0.6}}, {0.72, 1.}, n, d})},
+      {"F: two rings, code between", composed({{{0.86, 1.}, {0.26, 0.4}}, {0.5, 0.76}, n, d})},
+      {"G: plain ring 0.7 (thesis)", named("ring", thesisRingRatio)},
+      {"H: plain ring 0.8", named("ring", 0.8)},
+      {"I: two plain rings", composed({{{0.8, 1.}, {0.4, 0.6}}})},
+      {"J: AprilTag 36h11", named("36h11", 0.)}};
+  std::vector<Variant> variants;
+  for (const auto &[title, design] : list) {
+    variants.push_back({rivalGroup, title, static_cast<double>(variants.size() + 1), design});
+  }
+  return variants;
+}
+
 Series seriesOf(const Settings &settings, const Variant &variant, std::size_t number)
 {
   std::ostringstream name;
   name << variant.group << '-' << number;
   std::ostringstream title;
   title.precision(3);
-  title << variant.title << ": " << variant.level;
+  title << variant.title;
+  if (variant.group != rivalGroup) {
+    title << ": " << variant.level;
+  }
   Series series;
   series.name = name.str();
   series.title = title.str();
   series.group = variant.group;
   series.level = variant.level;
   series.frames = settings.frames.value_or(framesOfDesign);
-  series.methods = {Method::Circle, Method::Limit};
+  series.methods = {variant.design.family == "36h11" ? Method::AprilTag : Method::Circle, Method::Limit};
   series.stream = 1; // The same poses for all designs.
   const Design design = variant.design;
   series.scene = [settings, design](unsigned int, std::uint64_t seed) {
@@ -136,7 +189,7 @@ Series seriesOf(const Settings &settings, const Variant &variant, std::size_t nu
 Experiment experimentOfDesign(const Settings &settings)
 {
   Experiment experiment = {"design", "Marker design: measures of the ring, the code and the quiet zone", {}};
-  for (const auto &variants : {ringRatios(), gaps(), tracks(), quietZones(), families()}) {
+  for (const auto &variants : {ringRatios(), gaps(), tracks(), quietZones(), families(), sectorCounts(), rivals()}) {
     for (std::size_t i = 0; i < variants.size(); ++i) {
       experiment.series.push_back(seriesOf(settings, variants[i], i));
     }

@@ -109,6 +109,52 @@ Series fastSequence(const Settings &settings)
                   });
 }
 
+/*! The range that the thesis asks for, disturbed in one way. */
+Series inRange(const Settings &settings, const std::string &name, const std::string &title,
+               const std::function<void(Scene &, std::uint64_t)> &disturb)
+{
+  return seriesOf(settings, name, title + ", 1 m to 10 m, to 60°",
+                  [settings, disturb](Scene &scene, unsigned int, std::uint64_t seed) {
+                    scene.cMo = randomPose(settings, scene.cam, 1., 10., vpMath::rad(60.), seed);
+                    disturb(scene, seed);
+                  });
+}
+
+/*! Something of a random grey covers a part of the ring's disc. */
+void coverTenth(Scene &scene, std::uint64_t seed)
+{
+  constexpr double share = 0.1;
+  constexpr double darkest = 20.; // grey levels
+  constexpr double brightest = 230.;
+  scene.cover = {share, 2. * M_PI * uniformFrom(Draw::Direction, seed),
+                 darkest + (brightest - darkest) * uniformFrom(Draw::Cover, seed)};
+}
+
+/*! A shadow: of the whole image, or with its edge through the marker's centre. */
+void shade(Scene &scene, double factor, const vpImagePoint &edge, double direction)
+{
+  vpSceneShadow shadow;
+  shadow.edge = edge;
+  shadow.direction = direction;
+  shadow.factor = factor;
+  scene.photometry.shadow = shadow;
+}
+
+void dim(Scene &scene, std::uint64_t)
+{
+  constexpr double quarter = 0.25;
+  shade(scene, quarter, vpImagePoint(0., -1000.), 0.); // All of the image is on the dark side.
+}
+
+void castShadow(Scene &scene, std::uint64_t seed)
+{
+  constexpr double half = 0.5;
+  const vpHomogeneousMatrix &cMo = *scene.cMo;
+  const vpImagePoint centre(scene.cam.get_v0() + scene.cam.get_py() * cMo[1][3] / cMo[2][3],
+                            scene.cam.get_u0() + scene.cam.get_px() * cMo[0][3] / cMo[2][3]);
+  shade(scene, half, centre, 2. * M_PI * uniformFrom(Draw::Direction, seed));
+}
+
 /*! Pictures without a marker, full of discs, rings, bars, polygons and strokes. */
 Series clutter(const Settings &settings)
 {
@@ -126,6 +172,10 @@ Experiment experimentOfRequirements(const Settings &settings)
       experiment.series.push_back(atOnePlace(settings, depth, degrees));
     }
   }
+  experiment.series.push_back(inRange(settings, "range", "undisturbed", [](Scene &, std::uint64_t) {}));
+  experiment.series.push_back(inRange(settings, "covered", "a tenth of the ring's disc covered", coverTenth));
+  experiment.series.push_back(inRange(settings, "dim", "a quarter of the light", dim));
+  experiment.series.push_back(inRange(settings, "shadow", "the edge of a shadow across the marker", castShadow));
   experiment.series.push_back(stillSequence(settings));
   experiment.series.push_back(movingSequence(settings));
   experiment.series.push_back(fastSequence(settings));

@@ -19,7 +19,7 @@
 #include <cmath>
 
 #include "curves.h"
-#include "figures.h"
+#include "figures_thesis.h"
 
 namespace experiments {
 namespace {
@@ -28,10 +28,6 @@ const std::vector<View> meanViews = {ringBoth, ringFirst, circle, bound};
 double distance(const Sample &sample)
 {
   return sample.distance();
-}
-double depth(const Sample &sample)
-{
-  return sample.z;
 }
 double angle(const Sample &sample)
 {
@@ -104,36 +100,6 @@ Figure rateFigure(const std::string &file, const std::string &title, const Axis 
   return figure;
 }
 
-Figure cloudFigure(const Experiment &experiment, const RunData &data)
-{
-  Figure figure = {"experiment-3-clouds.svg", "True and estimated centres, seen from above", 3, {}};
-  for (std::size_t i = 0; i < experiment.series.size(); ++i) {
-    figure.panels.push_back(
-        {experiment.series[i].title,
-         "x [m]",
-         "z [m]",
-         "",
-         {trueCentres(samplesOf(data[i], Method::Circle)), estimatedCentres(samplesOf(data[i], Method::Ring), ringBoth),
-          estimatedCentres(samplesOf(data[i], Method::Circle), circle)}});
-  }
-  return figure;
-}
-
-Figure depthFigure(const std::string &file, const std::string &title, const std::string &yLabel,
-                   const std::string &setup, const std::function<double(const Sample &, const Deviation &)> &y,
-                   const Experiment &experiment, const RunData &data)
-{
-  Figure figure = {file, title, 3, {}};
-  for (std::size_t i = 0; i < experiment.series.size(); ++i) {
-    figure.panels.push_back({experiment.series[i].title,
-                             "Cz [m]",
-                             yLabel,
-                             setup,
-                             {estimates(samplesOf(data[i], Method::Ring), ringBoth, depth, y),
-                              estimates(samplesOf(data[i], Method::Circle), circle, depth, y)}});
-  }
-  return figure;
-}
 } // namespace
 
 std::vector<CaptionedFigure> figuresOfCells(const Experiment &experiment, const RunData &data)
@@ -142,15 +108,15 @@ std::vector<CaptionedFigure> figuresOfCells(const Experiment &experiment, const 
   const auto normal = [](const Deviation &deviation) { return deviation.normal; };
   const auto thesisPosition = [](const ThesisFigures &figures) { return figures.meanError; };
   const auto thesisAngle = [](const ThesisFigures &figures) { return figures.meanAngle.value_or(NAN); };
-  const auto eCz = [](const Sample &sample, const Deviation &d) { return sample.z + 1e-3 * d.dz; };
+  constexpr unsigned int columns = 3;
   const auto depthError = [](const Sample &, const Deviation &d) { return std::fabs(d.dz); };
   return {
-      {cloudFigure(experiment, data), "Thesis, figure 5.7: point clouds of C and eC."},
-      {depthFigure("experiment-3-depth.svg", "Estimated depth against true depth", "eCz [m]", "", eCz, experiment,
-                   data),
+      {cloudFigure("experiment-3-clouds.svg", columns, experiment, data),
+       "Thesis, figure 5.7: point clouds of C and eC."},
+      {depthFigure(estimatedDepth("experiment-3-depth.svg"), columns, experiment, data),
        "Thesis, figure 5.8: eCz against Cz. There the estimates leave the diagonal from 10 m or 60° on."},
-      {depthFigure("experiment-3-depth-error.svg", "Error of the depth", "|eCz - Cz| [mm]", logarithmicY, depthError,
-                   experiment, data),
+      {depthFigure({"experiment-3-depth-error.svg", "Error of the depth", "|eCz - Cz| [mm]", logarithmicY, depthError},
+                   columns, experiment, data),
        "Not in the thesis: the same, as the difference from the diagonal."},
       {meanFigure("experiment-3-error-distance.svg", "Mean error of the centre against distance", distanceAxis,
                   "mean |C - eC| [mm]", position, thesisPosition, experiment, data),

@@ -19,7 +19,7 @@
 #include <cmath>
 
 #include "curves.h"
-#include "figures.h"
+#include "figures_thesis.h"
 
 namespace experiments {
 namespace {
@@ -59,39 +59,6 @@ CaptionedFigure detections(const Experiment &experiment, const RunData &data)
     figure.panels.push_back({experiment.series[i].title, "x [m]", "z [m]", "", {there, absent}});
   }
   return {figure, "Thesis, figure 5.4: positions C at which the marker is found. There none was found beyond 10 m."};
-}
-
-CaptionedFigure clouds(const Experiment &experiment, const RunData &data)
-{
-  Figure figure = {"experiment-2-clouds.svg", "True and estimated centres, seen from above", 4, {}};
-  for (std::size_t i = 0; i < experiment.series.size(); ++i) {
-    figure.panels.push_back(
-        {experiment.series[i].title,
-         "x [m]",
-         "z [m]",
-         "",
-         {trueCentres(samplesOf(data[i], Method::Circle)), estimatedCentres(samplesOf(data[i], Method::Ring), ringBoth),
-          estimatedCentres(samplesOf(data[i], Method::Circle), circle)}});
-  }
-  return {figure,
-          "Thesis, figure 5.6: point clouds of C and eC. There the estimates lay on other lines, some 200 times "
-          "too near; here they lie on the true ones."};
-}
-
-CaptionedFigure depths(const Experiment &experiment, const RunData &data)
-{
-  Figure figure = {"experiment-2-depth.svg", "Estimated depth against true depth", 4, {}};
-  const auto depth = [](const Sample &sample) { return sample.z; };
-  const auto estimate = [](const Sample &sample, const Deviation &d) { return sample.z + 1e-3 * d.dz; };
-  for (std::size_t i = 0; i < experiment.series.size(); ++i) {
-    figure.panels.push_back({experiment.series[i].title,
-                             "Cz [m]",
-                             "eCz [m]",
-                             "",
-                             {estimates(samplesOf(data[i], Method::Ring), ringBoth, depth, estimate),
-                              estimates(samplesOf(data[i], Method::Circle), circle, depth, estimate)}});
-  }
-  return {figure, "Thesis, figure 5.5: eCz against Cz."};
 }
 
 /*! All frames of all series, either those on the optical axis or the others. */
@@ -135,6 +102,13 @@ CaptionedFigure errors(const RunData &data)
 
 std::vector<CaptionedFigure> figuresOfLines(const Experiment &experiment, const RunData &data)
 {
-  return {detections(experiment, data), depths(experiment, data), clouds(experiment, data), errors(data)};
+  constexpr unsigned int columns = 4; // One for each series.
+  return {detections(experiment, data),
+          {depthFigure(estimatedDepth("experiment-2-depth.svg"), columns, experiment, data),
+           "Thesis, figure 5.5: eCz against Cz."},
+          {cloudFigure("experiment-2-clouds.svg", columns, experiment, data),
+           "Thesis, figure 5.6: point clouds of C and eC. There the estimates lay on other lines, some 200 times too "
+           "near; here they lie on the true ones."},
+          errors(data)};
 }
 } // namespace experiments

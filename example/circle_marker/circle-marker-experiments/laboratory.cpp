@@ -15,9 +15,6 @@
  * The simulated camera and the detectors of one thread.
  */
 
-#include <sstream>
-
-#include <visp3/circle_marker_simulator/vpMarkerSceneSimulator.h>
 #include <visp3/core/vpMath.h>
 
 #include "common/pose_error.h"
@@ -27,6 +24,7 @@
 #include "ideal_estimate.h"
 #include "laboratory.h"
 #include "poses.h"
+#include "reading.h"
 
 namespace experiments {
 namespace {
@@ -38,33 +36,11 @@ Deviation deviationOf(const PoseError &error)
   return {millimetres * error.x, millimetres * error.y, millimetres * error.z, vpMath::deg(error.normal)};
 }
 
-/*! The ring's diameter that with the design's quiet zone fills the sheet, metres. */
-double sizeOf(const Design &design, const Settings &settings)
-{
-  return settings.sheetSide() / (1. + design.layout.quietZone);
-}
-
-/*! The same for the same design. */
-std::string nameOf(const Design &design)
-{
-  std::ostringstream name;
-  name << design.family << ' ' << design.layout.ringInner << ' ' << design.layout.codeOuter << ' '
-       << design.layout.codeInner << ' ' << design.layout.quietZone;
-  return name.str();
-}
-
-vpSimulatedMarker designed(const Design &design, int id, const Settings &settings)
-{
-  vpSimulatedMarker marker = vpSimulatedMarker::circle(design.family, id, sizeOf(design, settings));
-  return marker.setLayout(design.layout.ringInner, design.layout.codeInner, design.layout.codeOuter);
-}
-
-vpSimulatedMarker markerOf(Method method, int id, const Scene &scene, const Settings &settings)
+vpSimulatedMarker markerOf(Method method, int id, const Scene &scene, const Settings &settings, std::uint64_t seed)
 {
   if (scene.design) {
-    return designed(*scene.design, id, settings);
+    return markerOf(*scene.design, settings, seed);
   }
-
   switch (method) {
   case Method::Ring:
     return vpSimulatedMarker::ring(settings.size, thesisRingRatio);
@@ -78,8 +54,7 @@ vpSimulatedMarker markerOf(Method method, int id, const Scene &scene, const Sett
 int idOf(Method method, const Scene &scene, std::uint64_t seed)
 {
   if (scene.design) {
-    return static_cast<int>(seedOf(Draw::CodedId, seed) %
-                            vpCircleMarkerFamily::fromName(scene.design->family).getNbIds());
+    return idOf(*scene.design, seed);
   }
   switch (method) {
   case Method::Ring:
@@ -89,6 +64,14 @@ int idOf(Method method, const Scene &scene, std::uint64_t seed)
   default:
     return static_cast<int>(seedOf(Draw::CodedId, seed) % codedIds);
   }
+}
+/*! Whether the camera is the reference camera in even light on a plain ground: to make another takes longer than an
+ * image. */
+bool isUsual(const Scene &scene, const Settings &settings)
+{
+  return !scene.clutterSeed && scene.cam.get_projModel() == vpCameraParameters::perspectiveProjWithoutDistortion &&
+         scene.photometry.noiseSigma == settings.noise && scene.photometry.blurSigma == settings.blur &&
+         scene.photometry.gradientU == 0. && scene.photometry.gradientV == 0. && !scene.photometry.shadow;
 }
 } // namespace
 
@@ -119,13 +102,16 @@ Sample Laboratory::look(Method method, const Scene &scene, std::uint64_t seed)
   Sample sample;
   sample.method = method;
   const int id = idOf(method, scene, seed);
-  vpSimulatedMarker marker = markerOf(method, id, scene, m_settings);
+  vpSimulatedMarker marker = markerOf(method, id, scene, m_settings, seed);
   marker.setSheetSide(m_settings.sheetSide());
   if (scene.cMo) {
     marker.setPose(*scene.cMo);
   }
   if (method == Method::Limit) {
-    return limitOf(marker, scene);
+    sample = limitOf(marker, scene);
+    const unsigned int distance = scene.design ? codeDistanceOf(*scene.design) : 0;
+    sample.reading = distance > 0 ? readingDistance(marker, distance, scene) : 0.;
+    return sample;
   }
   Sighting sighting;
   if (method == Method::Bound) {
@@ -163,12 +149,17 @@ Sample Laboratory::look(Method method, const Scene &scene, std::uint64_t seed)
 
 void Laboratory::photograph(const vpSimulatedMarker &marker, const Scene &scene, std::uint64_t seed)
 {
-  vpMarkerSceneSimulator camera(scene.cam, imageWidth, imageHeight);
-  camera.setPhotometry(scene.photometry);
-  camera.setMotion(scene.motion);
-  if (scene.clutterSeed) {
-    camera.setBackground(vpSceneBackground::clutter(*scene.clutterSeed));
+  if (!m_camera || !isUsual(scene, m_settings)) {
+    m_camera.emplace(scene.cam, imageWidth, imageHeight);
+    m_camera->setPhotometry(scene.photometry);
+    if (scene.clutterSeed) {
+      m_camera->setBackground(vpSceneBackground::clutter(*scene.clutterSeed));
+    }
   }
+  vpMarkerSceneSimulator &camera = *m_camera;
+  camera.clearMarkers();
+  camera.clearOccluders();
+  camera.setMotion(scene.motion);
   if (scene.cMo) {
     camera.addMarker(marker);
     if (scene.cover) {
@@ -176,6 +167,9 @@ void Laboratory::photograph(const vpSimulatedMarker &marker, const Scene &scene,
     }
   }
   camera.render(m_image, seed);
+  if (!isUsual(scene, m_settings)) {
+    m_camera.reset();
+  }
 }
 
 Sighting Laboratory::sightOf(Method method, const Scene &scene, int id, Sample &sample)
@@ -197,8 +191,7 @@ CircleDetector &Laboratory::detectorFor(Method method, const Scene &scene)
   if (!scene.design) {
     return method == Method::Ring ? m_ring : m_circle;
   }
-  const Design &design = *scene.design;
-  const auto family = vpCircleMarkerFamily::fromName(design.family).withLayout(design.layout);
-  return m_designs.try_emplace(nameOf(design), family, sizeOf(design, m_settings)).first->second;
+  const Wanted wanted = wantedOf(*scene.design, m_settings);
+  return m_designs.try_emplace(nameOf(*scene.design), wanted.family, wanted.size).first->second;
 }
 } // namespace experiments

@@ -21,7 +21,9 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 
+#include <visp3/circle_marker_simulator/vpMarkerSceneSimulator.h>
 #include <visp3/circle_marker_simulator/vpSimulatedMarker.h>
 #include <visp3/core/vpImage.h>
 
@@ -53,6 +55,7 @@ private:
   CircleDetector m_circle;                         //!< For the marker of this project.
   std::map<std::string, CircleDetector> m_designs; //!< For other designs of it, by designName().
   std::unique_ptr<AprilTagDetector> m_tag;         //!< Made when it is first needed.
+  std::optional<vpMarkerSceneSimulator> m_camera;  //!< Of usual scenes, for the next one.
   vpImage<unsigned char> m_image;                  //!< The last picture.
 };
 

@@ -32,6 +32,7 @@
 #include "common/progress.h"
 #include "common/run_program.h"
 #include "report.h"
+#include "report_recording.h"
 #include "run.h"
 
 using namespace experiments;
@@ -85,24 +86,44 @@ RunData makeData(const Experiment &experiment, const Settings &settings)
   return data;
 }
 
+void append(const std::vector<CaptionedFigure> &more, std::vector<Figure> &figures)
+{
+  for (const CaptionedFigure &figure : more) {
+    figures.push_back(figure.figure);
+  }
+}
+
+/*! Experiment 1 has a recording in place of frames. */
+void evaluateRecording(const Settings &settings, Document &document, std::vector<Figure> &figures)
+{
+  const Recording recording = recordingIn(settings.recording, settings.recordedId);
+  writeWhole(settings.output, "experiment-1.csv", csvOf(recording));
+  addRecording(recording, document);
+  append(figuresOfRecording(recording), figures);
+}
+
 void carryOut(Settings settings)
 {
   makeFolder(settings.output); // Before the minutes that the frames take.
   Document document("The experiments of the thesis, done again");
   std::vector<Figure> figures;
+  bool areConditionsTold = false;
   const std::vector<std::string> names = settings.experiments; // Data that is read brings settings of its own.
   for (const std::string &name : names) {
+    if (name == recordedExperiment) {
+      evaluateRecording(settings, document, figures);
+      continue;
+    }
     const RunData data =
         settings.reportOnly ? readData(name, settings) : makeData(experimentNamed(name, settings), settings);
     const Experiment experiment = experimentNamed(name, settings);
-    if (figures.empty()) {
+    if (!areConditionsTold) {
       addConditions(settings, document);
+      areConditionsTold = true;
     }
     writeWhole(settings.output, experiment.name + ".json", jsonOf(experiment, settings, data));
     reporters.at(name).addSection(experiment, data, document);
-    for (const CaptionedFigure &figure : reporters.at(name).figures(experiment, data)) {
-      figures.push_back(figure.figure);
-    }
+    append(reporters.at(name).figures(experiment, data), figures);
   }
   writeWhole(settings.output, "report.html", document.html());
   writeWhole(settings.output, "report.md", document.markdown());

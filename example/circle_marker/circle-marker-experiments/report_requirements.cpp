@@ -73,6 +73,25 @@ std::string errorsAt(const Measured &measured, const std::string &depth)
   return text;
 }
 
+std::string foundAndErrors(const Summary &s)
+{
+  return percent(s.found, s.frames) + " % found (" + std::to_string(s.found) + " of " + std::to_string(s.frames) +
+         "), median errors " + digits(s.position.median) + " mm and " + digits(s.angle.median) + "°, " +
+         std::to_string(s.wrong) + " misleading";
+}
+
+/*! Markers that are not there, reported in images with a marker. */
+std::size_t falseMarkersBeside(const Experiment &experiment, const RunData &data)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < experiment.series.size(); ++i) {
+    if (experiment.series[i].name != "clutter") {
+      count += summaryOf(samplesOf(data[i], Method::Circle), Solutions::First).falseMarkers;
+    }
+  }
+  return count;
+}
+
 std::string sigmasOf(const Summary &s)
 {
   return "σ x " + digits(s.offset[0].sigma) + ", y " + digits(s.offset[1].sigma) + ", z " + digits(s.offset[2].sigma) +
@@ -104,10 +123,17 @@ void addRequirements(const Experiment &experiment, const RunData &data, Document
        "found and identified at 10 m: " + ratesAt(measured, "10m", Method::Circle) +
            "; median errors: " + errorsAt(measured, "10m")},
       {"Viewing angle", "to 60°", measured.rate("10m-60") + " at 10 m, " + measured.rate("20m-60") + " at 20 m"},
-      {"Occlusion", "some resilience against partial occlusion", "see the experiment on resilience"},
-      {"Light and colour", "black and white", "black and white; see the experiment on resilience"},
+      {"Occlusion", "some resilience against partial occlusion",
+       "a tenth of the ring's disc covered: " + foundAndErrors(measured.of("covered")) +
+           "; more in the experiment on resilience"},
+      {"Light and colour", "black and white print; changes of light borne",
+       "black and white; a quarter of the light: " + foundAndErrors(measured.of("dim")) +
+           "; the edge of a shadow of half the light across the marker: " + foundAndErrors(measured.of("shadow"))},
       {"False positives", "negligible",
-       std::to_string(clutter.falseMarkers) + " in " + std::to_string(clutter.frames) + " pictures of clutter"},
+       std::to_string(clutter.falseMarkers) + " in " + std::to_string(clutter.frames) +
+           " pictures of clutter; with a marker in the image: " + std::to_string(falseMarkersBeside(experiment, data))},
+      {"False negatives", "negligible",
+       "found in the range asked for, 1 m to 10 m and to 60°: " + foundAndErrors(measured.of("range"))},
       {"Payload", "fewer than a hundred ids and error correction",
        std::to_string(family.getNbIds()) + " ids, minimum distance " + std::to_string(family.getMinimumDistance()) +
            " of " + std::to_string(family.getNbSectors()) + " sectors"},

@@ -39,6 +39,15 @@ std::string outlineShares()
 }
 
 const std::vector<View> thesisViews = {ringBoth, ringFirst, circle, bound};
+
+/*! A table for each series: the thesis's figures beside those of its marker, of ours, and of the bound. */
+void addComparisons(const Experiment &experiment, const RunData &data, Document &document)
+{
+  const std::vector<View> views = viewsIn(data, thesisViews);
+  for (std::size_t i = 0; i < experiment.series.size(); ++i) {
+    addComparison(experiment.series[i], data[i], views, document);
+  }
+}
 } // namespace
 
 void addConditions(const Settings &settings, Document &document)
@@ -65,14 +74,10 @@ void addLines(const Experiment &experiment, const RunData &data, Document &docum
   document.addHeading(experiment.title);
   document.addParagraph(
       "Depth from 0.36 m in even steps along the optical axis and along four lines from its near end toward the "
-      "image's "
-      "corners; the normal is parallel to the optical axis, the spin about it random. The thesis's marker is the plain "
-      "ring; of both its solutions, which an ideal estimator cannot tell apart for one circle, every one counts as in "
-      "the thesis, then the likelier one alone. The marker of this project gives one pose.");
-  const std::vector<View> views = viewsIn(data, thesisViews);
-  for (std::size_t i = 0; i < experiment.series.size(); ++i) {
-    addComparison(experiment.series[i], data[i], views, document);
-  }
+      "image's corners; the normal is parallel to the optical axis, the spin about it random. The thesis's marker is "
+      "the plain ring; of both its solutions, which an ideal estimator cannot tell apart for one circle, every one "
+      "counts as in the thesis, then the likelier one alone. The marker of this project gives one pose.");
+  addComparisons(experiment, data, document);
   addFigures(figuresOfLines(experiment, data), document);
 }
 
@@ -84,11 +89,8 @@ void addCells(const Experiment &experiment, const RunData &data, Document &docum
       "tilt and spin random; the whole sheet is in the image. The thesis counts every estimate, two of each ellipse: "
       "so does the first column of the plain ring; the others count one pose for each marker found. Errors are over "
       "the frames in which the method found its marker.");
-  const std::vector<View> views = viewsIn(data, thesisViews);
-  addOverview("All cells", experiment, data, views, document);
-  for (std::size_t i = 0; i < experiment.series.size(); ++i) {
-    addComparison(experiment.series[i], data[i], views, document);
-  }
+  addOverview("All cells", experiment, data, viewsIn(data, thesisViews), document);
+  addComparisons(experiment, data, document);
   addFigures(figuresOfCells(experiment, data), document);
 }
 
@@ -97,8 +99,8 @@ void addResilience(const Experiment &experiment, const RunData &data, Document &
   document.addHeading(experiment.title);
   document.addParagraph(
       "The thesis left this open (6.2.3). The same poses, 1 m to 8 m and up to 60°, at every level of every "
-      "disturbance "
-      "(other places in the image for distorted cameras). AprilTag 36h11 by ViSP's detector at decimation 1 with its "
+      "disturbance (other places in the image for distorted cameras). AprilTag 36h11 by ViSP's detector at decimation "
+      "1 with its "
       "half pixel corrected, on a sheet of the same size. Occlusion: all beyond a line across the ring's disc is "
       "covered, in a random direction and grey level; " +
       outlineShares() + " Light: a gradient in a random direction. Distortion: the detector knows the camera.");

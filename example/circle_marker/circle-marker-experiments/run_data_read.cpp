@@ -24,7 +24,7 @@
 
 namespace experiments {
 namespace {
-constexpr std::size_t columnCount = 21;
+constexpr std::size_t columnCount = 22;
 constexpr const char *remedy = "; name another folder with --output, or remove the file to begin anew";
 
 std::vector<std::string> fieldsOf(const std::string &line)
@@ -70,7 +70,8 @@ Sample sampleFrom(const std::vector<std::string> &fields)
   sample.rotation = fields[17].empty() ? 0. : std::stod(fields[17]);
   sample.isMirrored = fields[18] == "1";
   sample.logOdds = fields[19].empty() ? 0. : std::stod(fields[19]);
-  sample.cpuTime = std::stod(fields[20]);
+  sample.reading = fields[20].empty() ? 0. : std::stod(fields[20]);
+  sample.cpuTime = std::stod(fields[21]);
   return sample;
 }
 

@@ -53,6 +53,10 @@ void addRow(std::ostream &out, const Series &series, std::size_t frame, const Sa
   if (sample.second) {
     out << sample.logOdds;
   }
+  out << ',';
+  if (sample.reading > 0.) {
+    out << sample.reading;
+  }
   out << ',' << sample.cpuTime << '\n';
 }
 } // namespace
@@ -95,8 +99,9 @@ std::string csvOf(const Experiment &experiment, const Settings &settings, const 
       << "# x_m, y_m, z_m: true centre in the camera frame; angle_deg: between normal and line of sight\n"
       << "# outlines: ellipses looked at; markers: reported, of any id\n"
       << "# d: estimated minus true centre; 2: the other solution; mirrored: nearer to the true normal's mirror image\n"
+      << "# reading_sigma: distance of the image from that of the marker most like it, in deviations of the noise\n"
       << "series,frame,method,x_m,y_m,z_m,angle_deg,outlines,markers,dx_mm,dy_mm,dz_mm,normal_deg,dx2_mm,dy2_mm,dz2_mm,"
-         "normal2_deg,rotation_deg,mirrored,log_odds,cpu_ms\n";
+         "normal2_deg,rotation_deg,mirrored,log_odds,reading_sigma,cpu_ms\n";
   for (std::size_t i = 0; i < experiment.series.size(); ++i) {
     for (std::size_t frame = 0; frame < data[i].size(); ++frame) {
       if (data[i][frame]) {

@@ -47,6 +47,7 @@ struct Sample
   double rotation = 0.;            //!< Angle of the rotation between estimate and truth, degrees; with a code only.
   bool isMirrored = false;         //!< The first pose's normal is nearer to the true one reflected about the sight.
   double logOdds = 0.;             //!< ln(likelihood of the first / of the second); 0 without a second.
+  double reading = 0.;             //!< Limit: distance to the image of the marker most like it, see readingDistance().
   double cpuTime = 0.;             //!< Of detection and pose, ms.
 
   double distance() const; //!< |C|, metres.

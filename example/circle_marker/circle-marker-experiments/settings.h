@@ -40,6 +40,8 @@ struct Settings
   double blur = 0.7;                     //!< Standard deviation, pixels.
   std::optional<double> maximumDistance; //!< Of the marker's centre along the optical axis, metres.
   std::optional<double> maximumAngle;    //!< Between normal and line of sight, degrees.
+  std::string recording;                 //!< Folder of experiment 1; empty: none.
+  std::optional<int> recordedId;         //!< Of the marker in it; nothing: the one found most often.
   bool reportOnly = false;               //!< Draw the report again from the data that is there.
 
   /*! Side of all markers' square sheet, metres. */

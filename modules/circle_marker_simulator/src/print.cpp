@@ -16,6 +16,7 @@
  */
 
 #include <cmath>
+#include <utility>
 
 #include "print.h"
 #include "printed_grid.h"
@@ -63,8 +64,13 @@ void appendCode(const vpSimulatedMarker &marker, double radius, std::vector<Plan
     while (black(end)) { // a codeword is never all black
       ++end;
     }
+    std::vector<PlaneCurve> run;
+    // Ink that spreads makes windows smaller.
     appendRun(marker.getTrackOuter() * radius, marker.getTrackInner() * radius, step * first, step * end,
-              marker.getInkSpread(), boundary);
+              marker.hasWindows() ? -marker.getInkSpread() : marker.getInkSpread(), run);
+    for (const PlaneCurve &curve : run) {
+      boundary.push_back(marker.hasWindows() ? curve.reversed() : curve);
+    }
   }
 }
 
@@ -145,6 +151,14 @@ PlanePoint PlaneCurve::at(double t) const
   return {(1. - t) * m_from.x + t * m_to.x, (1. - t) * m_from.y + t * m_to.y};
 }
 
+PlaneCurve PlaneCurve::reversed() const
+{
+  PlaneCurve curve = *this;
+  std::swap(curve.m_from, curve.m_to);
+  std::swap(curve.m_fromAngle, curve.m_toAngle);
+  return curve;
+}
+
 int PlaneCurve::parts() const
 {
   // Arcs in parts of 22 degrees. A line is curved by distortion or a bent sheet alone; in 4 parts even an S, whose
@@ -170,10 +184,16 @@ std::vector<PrintedRegion> printOn(const vpSimulatedMarker &marker)
   }
   const double radius = 0.5 * marker.getSize();
   PrintedRegion ink = {{}, 0.};
-  appendCircle(radius + marker.getInkSpread(), false, ink.boundary);
-  const double inner = marker.getRingRatio() * radius - marker.getInkSpread();
-  if (marker.getRingRatio() > 0. && inner > 0.) {
-    appendCircle(inner, true, ink.boundary);
+  std::vector<std::array<double, 2>> rings = marker.getRings();
+  if (rings.empty()) {
+    rings.push_back({marker.getRingRatio(), 1.});
+  }
+  for (const auto &[ratio, outer] : rings) {
+    appendCircle(outer * radius + marker.getInkSpread(), false, ink.boundary);
+    const double inner = ratio * radius - marker.getInkSpread();
+    if (ratio > 0. && inner > 0.) {
+      appendCircle(inner, true, ink.boundary);
+    }
   }
   if (marker.getCodeword()) {
     appendCode(marker, radius, ink.boundary);

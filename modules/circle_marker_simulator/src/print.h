@@ -38,6 +38,8 @@ public:
 
   //! Point at t, from 0 (first end) to 1 (last end).
   PlanePoint at(double t) const;
+  //! The same from its last end to its first.
+  PlaneCurve reversed() const;
   //! Whether it is a straight line.
   bool isLine() const { return m_radius == 0.; }
   //! Number of equal parts in which no detail can hide between their ends and their middle.

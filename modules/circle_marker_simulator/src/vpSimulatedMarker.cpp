@@ -99,6 +99,27 @@ vpSimulatedMarker vpSimulatedMarker::disc(double size)
 }
 
 /*!
+  A marker of rings of one's own, for studies of the design; setTrack() adds a code.
+
+  \param radii : inner and outer radius of each black ring, over half the size; they do not overlap. An inner radius of
+  0 makes a disc.
+  \param size : diameter of a circle that holds all that is black, in metres.
+  \exception vpException::badValue : radii out of order, negative or beyond the size.
+*/
+vpSimulatedMarker vpSimulatedMarker::rings(const std::vector<std::array<double, 2>> &radii, double size)
+{
+  vpSimulatedMarker marker("rings", -1, size, size);
+  for (const auto &[inner, outer] : radii) {
+    if (!(inner >= 0. && inner < outer && outer <= 1.)) {
+      throw vpException(vpException::badValue, "a ring from %g to %g of half the size cannot be printed", inner, outer);
+    }
+  }
+  marker.m_ringRatio = 1.; // No ring but those.
+  marker.m_rings = radii;
+  return marker.setQuietZone(DEFAULT_QUIET_ZONE);
+}
+
+/*!
   An AprilTag of the family 36h11 with a white border of one cell (an eighth of the size).
 
   \param id : 0 to 9.
@@ -182,6 +203,35 @@ vpSimulatedMarker &vpSimulatedMarker::setLayout(double ringRatio, double trackIn
   m_ringRatio = ringRatio;
   m_trackInner = trackInner;
   m_trackOuter = trackOuter;
+  return *this;
+}
+
+/*!
+  Prints a code on a marker of rings().
+
+  \param inner, outer : radii of the code track over half the size.
+  \param sectors : number of sectors, up to 32.
+  \param word : sector 0 is the most significant of so many bits; neither all 0 nor all 1.
+  \param isWindows : whether ones are white windows in a black ring, which must hold the track, or black sectors on
+  white paper.
+  \exception vpException::badValue : the marker is none of rings(), or there is no such track or word.
+*/
+vpSimulatedMarker &vpSimulatedMarker::setTrack(double inner, double outer, unsigned int sectors, std::uint32_t word,
+                                               bool isWindows)
+{
+  constexpr unsigned int mostSectors = 32;
+  const bool hasWord = sectors > 1 && sectors <= mostSectors && word != 0 && word >> (sectors - 1) <= 1 &&
+                       word != 0xFFFFFFFFu >> (mostSectors - sectors);
+  if (m_family != "rings" || !hasWord || !(inner > 0. && inner < outer && outer <= 1.)) {
+    throw vpException(vpException::badValue,
+                      "a code of %u sectors from %g to %g of half the size cannot be printed on a marker of family %s",
+                      sectors, inner, outer, m_family.c_str());
+  }
+  m_trackInner = inner;
+  m_trackOuter = outer;
+  m_sectors = sectors;
+  m_codeword = word;
+  m_hasWindows = isWindows;
   return *this;
 }
 

@@ -137,6 +137,32 @@ TEST(Prints, LayoutIsAsAskedFor)
   EXPECT_THROW(vpSimulatedMarker::ring(2. * R, 0.7).setLayout(0.7, 0.3, 0.6), vpException);
 }
 
+TEST(Prints, RingsAndWindowsAreAsAskedFor)
+{
+  constexpr double R = 0.1;
+  constexpr double tolerance = 1e-8;
+  const auto area = [](double inner, double outer) { return M_PI * (outer * outer - inner * inner) * R * R; };
+  vpSimulatedMarker marker = vpSimulatedMarker::rings({{0.2, 0.4}, {0.5, 1.}}, 2. * R);
+  EXPECT_NEAR(inkArea(marker), area(0.2, 0.4) + area(0.5, 1.), tolerance);
+  // Three of five ones: white windows in the outer ring, or black sectors between the rings.
+  marker.setTrack(0.6, 0.9, 5, 0b11010, true);
+  EXPECT_NEAR(inkArea(marker), area(0.2, 0.4) + area(0.5, 1.) - 0.6 * area(0.6, 0.9), tolerance);
+  marker.setTrack(0.4, 0.5, 5, 0b11010);
+  EXPECT_NEAR(inkArea(marker), area(0.2, 1.) - 0.4 * area(0.4, 0.5), tolerance);
+  // Ink that spreads makes windows smaller: by a strip along each of the four arcs and the four radial edges.
+  const double e = 1e-4;
+  marker.setTrack(0.6, 0.9, 5, 0b11010, true);
+  const double before = inkArea(marker);
+  const double arcs = 0.6 * 2. * M_PI * (0.6 + 0.9) * R + 2. * M_PI * (0.2 + 0.4 + 0.5 + 1.) * R;
+  const double sides = 4. * 0.3 * R;
+  marker.setInkSpread(e);
+  EXPECT_NEAR(inkArea(marker) - before, e * (arcs + sides), 1e-2 * e * (arcs + sides));
+  EXPECT_THROW(vpSimulatedMarker::rings({{0.4, 0.2}}, 2. * R), vpException);
+  EXPECT_THROW(marker.setTrack(0.6, 0.9, 5, 0b11111), vpException);
+  EXPECT_THROW(marker.setTrack(0.6, 0.9, 5, 0b111010), vpException);
+  EXPECT_THROW(vpSimulatedMarker::disc(2. * R).setTrack(0.6, 0.9, 5, 1), vpException);
+}
+
 TEST(Prints, InkSpreadOfATag)
 {
   // Ink of the tag widened by a square of side 2 e: counted on a grid of 0.1 mm with e = 0.5 mm and cells of 5 mm.

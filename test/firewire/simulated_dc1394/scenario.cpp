@@ -67,6 +67,7 @@ Scenario read()
   result.truncated = frames("truncated");
   result.undeliverable = frames("undeliverable");
   result.afterGap = frames("after_gap");
+  result.focalLength = json.value("focal_length", result.focalLength);
   result.family = json.value("family", result.family);
   result.id = json.value("id", result.id);
   result.size = json.value("size", result.size);

@@ -59,6 +59,7 @@ struct Scenario
   std::set<long> truncated;               //!< Frames that are too short.
   std::set<long> undeliverable;           //!< Frames that cannot be delivered though the camera answers.
   std::set<long> afterGap;                //!< Frames before which two were lost.
+  double focalLength = 1600.;             //!< Of images of 1280 x 960, pixels.
   std::string family = "golay23";         //!< Of the marker that the cameras see.
   int id = 5;                             //!< Of the marker.
   double size = 0.18;                     //!< Outer diameter of its ring, metres.

@@ -57,7 +57,8 @@ vpHomogeneousMatrix poseOf(long number)
 vpImage<unsigned char> renderFrame(long number, unsigned int width, unsigned int height)
 {
   const double scale = width / 1280.;
-  const vpCameraParameters cam(1600. * scale, 1600. * scale, 640. * scale - 0.5, 480. * scale - 0.5);
+  const double focalLength = scenario().focalLength * scale;
+  const vpCameraParameters cam(focalLength, focalLength, 640. * scale - 0.5, 480. * scale - 0.5);
   vpMarkerSceneSimulator simulator(cam, width, height);
   vpScenePhotometry photometry;
   photometry.noiseSigma = 2.;

@@ -23,6 +23,7 @@
 #ifndef VP_SIMULATED_MARKER_H
 #define VP_SIMULATED_MARKER_H
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -53,6 +54,7 @@ public:
   static vpSimulatedMarker circle(const std::string &family, int id, double size);
   static vpSimulatedMarker ring(double size, double ratio);
   static vpSimulatedMarker disc(double size);
+  static vpSimulatedMarker rings(const std::vector<std::array<double, 2>> &radii, double size);
   static vpSimulatedMarker aprilTag36h11(int id, double size);
   static vpSimulatedMarker bitmap(const vpImage<unsigned char> &picture, double width, double height);
   static std::vector<std::uint32_t> codewords(const std::string &family);
@@ -63,11 +65,13 @@ public:
   vpSimulatedMarker &setSheetSide(double side);
   vpSimulatedMarker &setInkSpread(double spread);
   vpSimulatedMarker &setLayout(double ringRatio, double trackInner, double trackOuter);
+  vpSimulatedMarker &setTrack(double inner, double outer, unsigned int sectors, std::uint32_t word,
+                              bool isWindows = false);
   vpSimulatedMarker &setBow(double bow, double axis = 0.);
 
   /*! Pose of the marker in the camera frame, lengths in metres. */
   const vpHomogeneousMatrix &getPose() const { return m_cMo; }
-  /*! Family: "golay23", "bch31", "bch31r", "ring", "disc", "36h11" or "bitmap". */
+  /*! Family: "golay23", "bch31", "bch31r", "ring", "disc", "rings", "36h11" or "bitmap". */
   const std::string &getFamily() const { return m_family; }
   /*! Number within the family, -1 for a family without numbers. */
   int getId() const { return m_id; }
@@ -83,6 +87,10 @@ public:
   double getTrackInner() const { return m_trackInner; }
   /*! Outer radius of the code track over the ring's outer radius. */
   double getTrackOuter() const { return m_trackOuter; }
+  /*! Black rings besides that of the ring ratio: inner and outer radius over half the size. */
+  const std::vector<std::array<double, 2>> &getRings() const { return m_rings; }
+  /*! Whether the code's ones are white windows in a black ring, not black sectors on white paper. */
+  bool hasWindows() const { return m_hasWindows; }
   /*! Width of the white sheet, in metres. */
   double getSheetWidth() const { return m_sheetWidth; }
   /*! Height of the white sheet, in metres. */
@@ -103,22 +111,24 @@ public:
 private:
   vpSimulatedMarker(const std::string &family, int id, double width, double height);
 
-  std::string m_family;                    //!< Name of the family.
-  int m_id;                                //!< Number in the family, -1 without.
-  double m_size;                           //!< Diameter, side or width, in metres.
-  double m_height;                         //!< Height, in metres.
-  double m_sheetWidth;                     //!< Width of the white sheet, in metres.
-  double m_sheetHeight;                    //!< Height of the white sheet, in metres.
-  double m_ringRatio = 0.;                 //!< Inner over outer radius of the ring.
-  double m_trackInner = 0.40;              //!< Inner radius of the code track over the outer radius of the ring.
-  double m_trackOuter = 0.68;              //!< Outer radius of the code track over the outer radius of the ring.
-  double m_inkSpread = 0.;                 //!< Outward displacement of black edges, in metres.
-  double m_bow = 0.;                       //!< Height of the sheet's arc, in metres.
-  double m_bowAxis = 0.;                   //!< Axis of the bend, in radians.
-  unsigned int m_sectors = 0;              //!< Number of sectors of the code track.
-  std::optional<std::uint32_t> m_codeword; //!< Codeword, where there is one.
-  vpImage<unsigned char> m_picture;        //!< Picture of a tag or bitmap.
-  vpHomogeneousMatrix m_cMo;               //!< Pose in the camera frame.
+  std::string m_family;                       //!< Name of the family.
+  int m_id;                                   //!< Number in the family, -1 without.
+  double m_size;                              //!< Diameter, side or width, in metres.
+  double m_height;                            //!< Height, in metres.
+  double m_sheetWidth;                        //!< Width of the white sheet, in metres.
+  double m_sheetHeight;                       //!< Height of the white sheet, in metres.
+  double m_ringRatio = 0.;                    //!< Inner over outer radius of the ring.
+  double m_trackInner = 0.40;                 //!< Inner radius of the code track over the outer radius of the ring.
+  double m_trackOuter = 0.68;                 //!< Outer radius of the code track over the outer radius of the ring.
+  std::vector<std::array<double, 2>> m_rings; //!< Further rings, over half the size.
+  bool m_hasWindows = false;                  //!< Whether ones of the code are white.
+  double m_inkSpread = 0.;                    //!< Outward displacement of black edges, in metres.
+  double m_bow = 0.;                          //!< Height of the sheet's arc, in metres.
+  double m_bowAxis = 0.;                      //!< Axis of the bend, in radians.
+  unsigned int m_sectors = 0;                 //!< Number of sectors of the code track.
+  std::optional<std::uint32_t> m_codeword;    //!< Codeword, where there is one.
+  vpImage<unsigned char> m_picture;           //!< Picture of a tag or bitmap.
+  vpHomogeneousMatrix m_cMo;                  //!< Pose in the camera frame.
 };
 
 END_VISP_NAMESPACE
