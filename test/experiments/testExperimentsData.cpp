@@ -221,7 +221,7 @@ TEST(ExperimentsData, WhatIsNoSuchTableIsRefused)
   EXPECT_EQ(problemOf(head + row), "");
   for (const std::string &bad :
        {std::string("one,0,ring\n"), std::string("three,0,ring,1,2,3,4,5,6,,,,,,,,,,,,,7\n"),
-        std::string("one,0,square,1,2,3,4,5,6,,,,,,,,,,,,,7\n"), std::string("one,0,ring,x,2,3,4,5,6,,,,,,,,,,,,7\n"),
+        std::string("one,0,square,1,2,3,4,5,6,,,,,,,,,,,,,7\n"), std::string("one,0,ring,x,2,3,4,5,6,,,,,,,,,,,,,7\n"),
         std::string("one,99999999,ring,1,2,3,4,5,6,,,,,,,,,,,,,7\n"),
         std::string("one,0,ring,1,2,3,4,5,6,1,,,,,,,,,,,,7\n"), std::string("\n")}) {
     EXPECT_NE(problemOf(head + bad).find("line "), std::string::npos) << bad;

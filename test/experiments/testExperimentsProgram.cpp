@@ -246,6 +246,40 @@ TEST(ExperimentsProgram, EvaluatesARecording)
   EXPECT_NE(nothing.err.find("\"nowhere\" holds no recording"), std::string::npos) << nothing.err;
 }
 
+TEST(ExperimentsProgram, RecordsExperiment1OnASimulatedBus)
+{
+  if (std::string(SIMULATED_LIBRARY).empty() || !fs::exists(SIMULATED_LIBRARY)) {
+    GTEST_SKIP() << "there is no simulated FireWire bus: it needs dc1394/dc1394.h";
+  }
+  const fs::path folder = emptyFolder();
+  // Where everything is built with sanitizers, what is preloaded comes before their own library.
+  const std::vector<std::string> arguments = {"ASAN_OPTIONS=verify_asan_link_order=0:detect_leaks=0",
+                                              "bash",
+                                              EXPERIMENT_1_SCRIPT,
+                                              "--build",
+                                              CIRCLE_MARKER_BUILD_DIR,
+                                              "--output",
+                                              "results",
+                                              "--simulated",
+                                              "--frames",
+                                              "3",
+                                              "--places",
+                                              "2 slide"};
+  const Outcome outcome = run("env", arguments, folder);
+  EXPECT_EQ(outcome.status, done) << outcome.err;
+  // The marker is where the scenario has it, to a tenth of a millimetre at 2 m; the images are kept.
+  const std::string report = contentOf(folder / "results" / "report.md");
+  EXPECT_NE(report.find("| (0, 0, 2000) | 3 | 100.0 | 1.00 | ("), std::string::npos) << report;
+  EXPECT_TRUE(report.find(", 1999.9") != std::string::npos || report.find(", 2000.0") != std::string::npos) << report;
+  EXPECT_NE(report.find("| slide | 3 | 100.0 |"), std::string::npos) << report;
+  EXPECT_TRUE(fs::exists(folder / "results" / "recording" / "slide" / "img0002.png"));
+  // A second call finds all recorded.
+  const Outcome again = run("env", arguments, folder);
+  EXPECT_EQ(again.status, done) << again.err;
+  EXPECT_NE(again.err.find("2m is recorded already"), std::string::npos) << again.err;
+  EXPECT_EQ(run("bash", {EXPERIMENT_1_SCRIPT}, folder).status, 2);
+}
+
 TEST(ExperimentsProgram, WrongArgumentsEndWithTwo)
 {
   const fs::path folder = emptyFolder();

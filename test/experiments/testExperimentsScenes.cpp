@@ -318,7 +318,7 @@ TEST(ExperimentsScenes, DesignFiguresAreMediansAndShares)
   EXPECT_DOUBLE_EQ(figures.depthLimit, 3.);
   EXPECT_DOUBLE_EQ(figures.lateralLimit, 5.);
   EXPECT_DOUBLE_EQ(figures.normalLimit, 6.);
-  EXPECT_DOUBLE_EQ(figures.depthError, 2.); // Of 1 and 3.
+  EXPECT_NEAR(figures.depthError, 2. / 0.6745, 1e-9); // The median of 1 and 3.
   EXPECT_DOUBLE_EQ(figures.weakSeparation, 1.);
   EXPECT_DOUBLE_EQ(figures.reading, 12.);
   EXPECT_DOUBLE_EQ(figures.unread, 1. / 3.); // 4 is below 10.

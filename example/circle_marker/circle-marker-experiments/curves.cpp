@@ -24,7 +24,7 @@
 namespace experiments {
 namespace {
 // Points of a cloud: enough to fill a panel, few enough for files of some tens of kilobytes.
-constexpr std::size_t mostPoints = 150;
+constexpr std::size_t mostPoints = 100;
 // Bins with fewer estimates have no mean that says anything.
 constexpr std::size_t leastEstimates = 5;
 
@@ -141,6 +141,32 @@ Curve rateBars(const std::vector<Sample> &samples, const View &view, const std::
     }
   }
   return curve;
+}
+
+void shareDecades(Figure &figure)
+{
+  constexpr double mostDecades = 6.;
+  double least = HUGE_VAL;
+  double most = -HUGE_VAL;
+  for (const Panel &panel : figure.panels) {
+    for (const Curve &curve : panel.curves) {
+      for (const auto &point : curve.points) {
+        if (point[1] > 0. && std::isfinite(point[1])) {
+          least = std::min(least, std::log10(point[1]));
+          most = std::max(most, std::log10(point[1]));
+        }
+      }
+    }
+  }
+  if (least > most) {
+    return; // Nothing to be drawn.
+  }
+  const double top = std::max(std::ceil(most), std::floor(least) + 1.);
+  std::ostringstream range;
+  range << "set yrange [1e" << std::max(std::floor(least), top - mostDecades) << ":1e" << top << "]\n";
+  for (Panel &panel : figure.panels) {
+    panel.setup += range.str();
+  }
 }
 
 Curve level(const std::string &title, double least, double most, double y)

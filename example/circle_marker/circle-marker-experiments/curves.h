@@ -52,6 +52,12 @@ Curve meanCurve(const std::vector<Sample> &samples, const View &view, const std:
 Curve rateBars(const std::vector<Sample> &samples, const View &view, const std::vector<double> &edges,
                const SampleValue &x, std::size_t place, std::size_t places);
 
+/*!
+  Gives all panels of a figure with a logarithmic y axis the same range, in whole powers of ten, at most six of them: a
+  few estimates that are right by chance are not worth the room.
+*/
+void shareDecades(Figure &figure);
+
 /*! A horizontal line across a range. */
 Curve level(const std::string &title, double least, double most, double y);
 } // namespace experiments

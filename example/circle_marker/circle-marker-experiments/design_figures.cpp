@@ -69,7 +69,9 @@ DesignFigures designFiguresOf(const std::vector<std::optional<FrameSamples>> &se
       shareOf(static_cast<std::size_t>(std::count_if(limits.begin(), limits.end(),
                                                      [](const Sample &sample) { return sample.logOdds < weak; })),
               limits.size());
-  figures.depthError = medianOf(seen, [](const Sample &sample) { return std::fabs(sample.first->dz); });
+  constexpr double medianOfNormal = 0.6745; // Of |x| with a standard deviation of 1.
+  figures.depthError =
+      medianOf(seen, [](const Sample &sample) { return std::fabs(sample.first->dz); }) / medianOfNormal;
   figures.mirrored = shareOf(summary.mirrored, summary.found);
   return figures;
 }

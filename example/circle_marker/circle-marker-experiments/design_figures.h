@@ -39,10 +39,11 @@ struct DesignFigures
   double normalLimit = 0.;    //!< The same of the normal, degrees.
   double separation = 0.;     //!< Median over the poses of the distance of the two solutions' images, in sigmas.
   double weakSeparation = 0.; //!< Share of the poses with mean log-odds between the two solutions below 10.
-  double reading = 0.;    //!< Median over the poses of the distance to the marker most like it, in sigmas; 0 without.
-  double unread = 0.;     //!< Share of the poses at which it is less than 10: an ideal reader errs once in 3e6.
-  double depthError = 0.; //!< Median |error| of the depth of the detector's poses, mm.
-  double mirrored = 0.;   //!< Share of the markers found with the mirrored solution first.
+  double reading = 0.; //!< Median over the poses of the distance to the marker most like it, in sigmas; 0 without.
+  double unread = 0.;  //!< Share of the poses at which it is less than 10: an ideal reader errs once in 3e6.
+  double depthError =
+      0.; //!< Of the detector's poses: the standard deviation that a normal error with their median has, mm.
+  double mirrored = 0.; //!< Share of the markers found with the mirrored solution first.
 };
 
 DesignFigures designFiguresOf(const std::vector<std::optional<FrameSamples>> &series);

@@ -81,6 +81,7 @@ Figure meanFigure(const std::string &file, const std::string &title, const Axis 
     }
     figure.panels.push_back(panel);
   }
+  shareDecades(figure);
   return figure;
 }
 

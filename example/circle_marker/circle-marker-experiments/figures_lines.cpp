@@ -44,7 +44,7 @@ double farthest(const RunData &data)
 /*! Where the marker is found and where it is not, seen from above. */
 CaptionedFigure detections(const Experiment &experiment, const RunData &data)
 {
-  Figure figure = {"experiment-2-detections.svg", "Where the circular marker is found", 4, {}};
+  Figure figure = {"experiment-2-detections.svg", "Where the circular marker is found", 2, {}};
   for (std::size_t i = 0; i < experiment.series.size(); ++i) {
     std::vector<Sample> found, missed;
     for (const Sample &sample : samplesOf(data[i], Method::Circle)) {
@@ -56,7 +56,7 @@ CaptionedFigure detections(const Experiment &experiment, const RunData &data)
     Curve absent = trueCentres(missed);
     absent.title = "not found";
     absent.style = "with points linestyle 2 pointtype 2 pointsize 0.8";
-    figure.panels.push_back({experiment.series[i].title, "x [m]", "z [m]", "", {there, absent}});
+    figure.panels.push_back({experiment.series[i].title, "x [m]", "z [m]", "set xrange [*<-1:1<*]\n", {there, absent}});
   }
   return {figure, "Thesis, figure 5.4: positions C at which the marker is found. There none was found beyond 10 m."};
 }
@@ -77,7 +77,7 @@ std::vector<Sample> onAxis(const RunData &data, Method method, bool isOnAxis)
 
 CaptionedFigure errors(const RunData &data)
 {
-  Figure figure = {"experiment-2-error.svg", "Errors against distance, frames of all series", 4, {}};
+  Figure figure = {"experiment-2-error.svg", "Errors against distance, frames of all series", 2, {}};
   const std::vector<double> edges = evenBins(0., farthest(data), 12);
   for (const bool isOnAxis : {true, false}) {
     const std::string title = isOnAxis ? "on the optical axis: θ = 0" : "on the other lines: θ to 22°";
@@ -102,7 +102,7 @@ CaptionedFigure errors(const RunData &data)
 
 std::vector<CaptionedFigure> figuresOfLines(const Experiment &experiment, const RunData &data)
 {
-  constexpr unsigned int columns = 4; // One for each series.
+  constexpr unsigned int columns = 2;
   return {detections(experiment, data),
           {depthFigure(estimatedDepth("experiment-2-depth.svg"), columns, experiment, data),
            "Thesis, figure 5.5: eCz against Cz."},

@@ -23,8 +23,10 @@
 
 namespace experiments {
 namespace {
-constexpr std::size_t mostPoints = 300; // Of a panel: enough to show its shape.
+constexpr std::size_t mostPoints = 200; // Of a panel: enough to show its shape.
 constexpr double ellipseSize = 2.;      // Standard deviations.
+constexpr double micrometres = 1e3;     // In a millimetre.
+constexpr double metres = 1e-3;         // In a millimetre.
 
 /*! Points of every so manyeth image with the marker. */
 Curve cloudOf(const Station &station, const std::string &title,
@@ -44,7 +46,7 @@ Curve ellipse(const std::string &title, const std::string &style, const Square &
 {
   Curve curve = {title, style, {}};
   for (const auto &point : ellipseOf(covariance, across, 2, ellipseSize)) {
-    curve.points.push_back({point[0], point[1]});
+    curve.points.push_back({micrometres * point[0], micrometres * point[1]});
   }
   return curve;
 }
@@ -54,9 +56,10 @@ Panel stationPanel(const Station &station)
   const StationFigures f = figuresOf(station);
   std::ostringstream title;
   title << *station.distance << " m";
-  Panel panel = {title.str(), "x - mean [mm]", "z - mean [mm]", "", {}};
+  Panel panel = {title.str(), "x - mean [µm]", "z - mean [µm]", "", {}};
   panel.curves.push_back(cloudOf(station, "estimates eC", [&f](const Sight &sight) {
-    return std::array<double, 2>{sight.centre[0] - f.mean[0], sight.centre[2] - f.mean[2]};
+    return std::array<double, 2>{micrometres * (sight.centre[0] - f.mean[0]),
+                                 micrometres * (sight.centre[2] - f.mean[2])};
   }));
   if (f.found > 1) {
     panel.curves.push_back(ellipse("their covariance, 2σ", "with lines linestyle 1", f.covariance, 0));
@@ -69,9 +72,9 @@ Panel stationPanel(const Station &station)
 Panel slidePanel(const Station &station)
 {
   const SlideLine line = lineOf(station);
-  Panel panel = {station.name, "z [m]", "distance from the straight line [mm]", "set yrange [0:*]\n", {}};
+  Panel panel = {station.name, "z [m]", "distance from the straight line [µm]", "set yrange [0:*]\n", {}};
   panel.curves.push_back(cloudOf(station, "estimates eC", [&line](const Sight &sight) {
-    return std::array<double, 2>{1e-3 * sight.centre[2], line.distanceOf(sight.centre)};
+    return std::array<double, 2>{metres * sight.centre[2], micrometres * line.distanceOf(sight.centre)};
   }));
   return panel;
 }

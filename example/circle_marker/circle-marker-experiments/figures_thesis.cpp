@@ -29,7 +29,7 @@ Figure cloudFigure(const std::string &file, unsigned int columns, const Experime
         {experiment.series[i].title,
          "x [m]",
          "z [m]",
-         "",
+         "set xrange [*<-1:1<*]\n", // A single line has no width of its own.
          {trueCentres(circles), estimatedCentres(rings, ringBoth), estimatedCentres(circles, circle)}});
   }
   return figure;
@@ -46,6 +46,9 @@ Figure depthFigure(const DepthPlot &plot, unsigned int columns, const Experiment
                              plot.setup,
                              {estimates(samplesOf(data[i], Method::Ring), ringBoth, depth, plot.y),
                               estimates(samplesOf(data[i], Method::Circle), circle, depth, plot.y)}});
+  }
+  if (plot.setup == logarithmicY) {
+    shareDecades(figure);
   }
   return figure;
 }

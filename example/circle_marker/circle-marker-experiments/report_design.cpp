@@ -75,7 +75,8 @@ CaptionedFigure figureOfMeasure(const Experiment &experiment, const RunData &dat
   add("reach [m]", {}, [](const DesignFigures &f) { return f.reach; });
   return {figure, "Limit: standard deviations of the Cramér-Rao bound; distances between the images of the two "
                   "solutions and between those of the marker and the one most like it, in standard deviations of the "
-                  "noise. Detector: median |error| of the depth; the depth to which its share of markers found and "
+                  "noise. Detector: the standard deviation of the depth that the median |error| stands for; the depth "
+                  "to which its share of markers found and "
                   "identified reaches, at angles to 60°."};
 }
 
@@ -94,6 +95,10 @@ Panel rivalPanel(const Experiment &experiment, const RunData &data, const std::s
     }
   }
   panel.curves = {curve};
+  if (style == 1 && !curve.points.empty()) {
+    // The default's level across the panel, to compare by.
+    panel.curves.push_back(level("", 0.3, static_cast<double>(curve.points.size()) + 0.7, curve.points.front()[1]));
+  }
   panel.setup = "set yrange [0:1e-3<*]\nset xrange [0.3:" + std::to_string(curve.points.size()) + ".7]\nset xtics (" +
                 tics + ")\n";
   return panel;

@@ -40,6 +40,8 @@ constexpr const char *styles = R"(if (!exists("suffix")) suffix = ""
 set encoding utf8
 unset mxtics
 unset mytics
+set border 3 linecolor rgb "#666666"
+set tics nomirror scale 0.5 textcolor rgb "#222222"
 set style line 1 linecolor rgb "#0072B2" linewidth 2 pointtype 7 pointsize 0.5
 set style line 2 linecolor rgb "#D55E00" linewidth 2 pointtype 5 pointsize 0.5
 set style line 3 linecolor rgb "#CC79A7" linewidth 2 pointtype 9 pointsize 0.6
@@ -151,12 +153,19 @@ std::string plotCommand(const Figure &figure, std::size_t index, const std::stri
   return out.str() + "\n";
 }
 
+bool hasKey(const Figure &figure)
+{
+  return std::any_of(figure.panels.begin(), figure.panels.end(), [](const Panel &panel) {
+    return std::any_of(panel.curves.begin(), panel.curves.end(), [](const Curve &c) { return !c.title.empty(); });
+  });
+}
+
 std::string scriptOf(const Figure &figure, std::size_t number)
 {
   const std::size_t columns = std::min<std::size_t>(figure.columns, figure.panels.size());
   const std::size_t rows = (figure.panels.size() + figure.columns - 1) / figure.columns;
   const double width = panelWidth * static_cast<double>(columns);
-  const double height = titleHeight + panelHeight * static_cast<double>(rows) + keyHeight;
+  const double height = titleHeight + panelHeight * static_cast<double>(rows) + (hasKey(figure) ? keyHeight : 0.);
   std::ostringstream data;
   std::ostringstream out;
   out << "\nset terminal svg size " << width << ',' << height
