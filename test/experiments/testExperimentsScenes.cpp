@@ -97,6 +97,24 @@ TEST(ExperimentsScenes, LinesFaceTheCamera)
   EXPECT_GT(farthest, 8.);
 }
 
+TEST(ExperimentsScenes, BoundIsThereForEveryLine)
+{
+  for (const Series &series : experimentOfLines(Settings()).series) {
+    std::set<unsigned int> lines;
+    std::size_t bounds = 0;
+    constexpr unsigned int count = 100;
+    for (unsigned int frame = 0; frame < count; ++frame) {
+      const std::vector<Method> methods = methodsOf(series, frame);
+      if (std::find(methods.begin(), methods.end(), Method::Bound) != methods.end()) {
+        ++bounds;
+        lines.insert(frame % series.kinds);
+      }
+    }
+    EXPECT_EQ(bounds, count / 5) << series.name;
+    EXPECT_EQ(lines.size(), series.name == "single-line-200" ? 1u : 5u) << series.name;
+  }
+}
+
 TEST(ExperimentsScenes, CellsKeepTheirRanges)
 {
   Settings settings;

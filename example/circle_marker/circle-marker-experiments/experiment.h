@@ -64,6 +64,7 @@ struct Series
   double level = 0.;           //!< What the points are drawn against.
   unsigned int frames = 0;     //!< How many.
   std::vector<Method> methods; //!< Each sees every frame, but for bound and limit, which take long.
+  unsigned int kinds = 1;      //!< Frames go in turn through so many kinds of poses.
   //! The scene of a frame. All that is random must come from the seed, which is that of the frame.
   std::function<Scene(unsigned int frame, std::uint64_t seed)> scene;
   //! Series with the same stream have the same seeds, hence the same poses: their differences are paired.
@@ -78,7 +79,7 @@ struct Experiment
   std::vector<Series> series; //!< In the order of the report.
 };
 
-/*! The methods that see a frame: bound and limit are computed for every fifth only. */
+/*! The methods that see a frame: bound and limit are computed for a fifth of them, of each kind. */
 std::vector<Method> methodsOf(const Series &series, std::size_t frame);
 
 /*! The experiment that has a recording of a camera in place of simulated frames. */

@@ -66,6 +66,7 @@ Series seriesOf(const Settings &settings, const std::string &name, const std::st
   series.frames = settings.frames.value_or(frames);
   series.methods = {Method::Ring, Method::Circle, Method::Bound};
   series.stream = stream;
+  series.kinds = lines;
   series.scene = [settings, lines, farthest](unsigned int frame, std::uint64_t seed) {
     Scene scene;
     scene.cam = referenceCamera();

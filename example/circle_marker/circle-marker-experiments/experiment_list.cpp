@@ -43,7 +43,7 @@ std::vector<Method> methodsOf(const Series &series, std::size_t frame)
 {
   constexpr std::size_t boundStep = 5;
   std::vector<Method> methods = series.methods;
-  if (frame % boundStep != 0) {
+  if (frame / series.kinds % boundStep != 0) {
     methods.erase(std::remove_if(methods.begin(), methods.end(),
                                  [](Method method) { return method == Method::Bound || method == Method::Limit; }),
                   methods.end());

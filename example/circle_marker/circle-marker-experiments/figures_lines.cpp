@@ -56,7 +56,7 @@ CaptionedFigure detections(const Experiment &experiment, const RunData &data)
     Curve absent = trueCentres(missed);
     absent.title = "not found";
     absent.style = "with points linestyle 2 pointtype 2 pointsize 0.8";
-    figure.panels.push_back({experiment.series[i].title, "x [m]", "z [m]", "set xrange [*<-1:1<*]\n", {there, absent}});
+    figure.panels.push_back({experiment.series[i].title, "x [m]", "z [m]", "", {there, absent}});
   }
   return {figure, "Thesis, figure 5.4: positions C at which the marker is found. There none was found beyond 10 m."};
 }
