@@ -28,6 +28,20 @@ using Value = std::function<double(const DesignFigures &)>;
 // Those whose markers the detector cannot read: only what the image itself allows is drawn.
 constexpr const char *limitsOnly = "sectors";
 
+/*!
+  Whether the detector can look for the marker: one of its families, or a ring with nothing inside that it knows as a
+  plain ring.
+*/
+bool isSought(const Series &series)
+{
+  const std::optional<Design> design = series.scene(0, 1).design;
+  if (!design || !design->composition) {
+    return true;
+  }
+  const Composition &parts = *design->composition;
+  return parts.rings.size() == 1 && parts.track[0] >= parts.rings.front()[1];
+}
+
 std::string measureOf(const Series &series)
 {
   return series.title.substr(0, series.title.rfind(": "));
@@ -87,10 +101,14 @@ Panel rivalPanel(const Experiment &experiment, const RunData &data, const std::s
   Panel panel = {"", "", yLabel, "", {}};
   Curve curve = {"", "using 1:2:(0.75) with boxes fill solid noborder linestyle " + std::to_string(style), {}};
   std::string tics;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < experiment.series.size(); ++i) {
     const Series &series = experiment.series[i];
     if (series.group == rivalGroup) {
-      curve.points.push_back({series.level, value(designFiguresOf(data[i]))});
+      if (style == 1 || isSought(series)) {
+        curve.points.push_back({series.level, value(designFiguresOf(data[i]))});
+      }
+      ++count;
       tics += (tics.empty() ? "" : ", ") + ("\"" + series.title.substr(0, 1) + "\" ") + digits(series.level);
     }
   }
@@ -99,8 +117,7 @@ Panel rivalPanel(const Experiment &experiment, const RunData &data, const std::s
     // The default's level across the panel, to compare by.
     panel.curves.push_back(level("", 0.3, static_cast<double>(curve.points.size()) + 0.7, curve.points.front()[1]));
   }
-  panel.setup = "set yrange [0:1e-3<*]\nset xrange [0.3:" + std::to_string(curve.points.size()) + ".7]\nset xtics (" +
-                tics + ")\n";
+  panel.setup = "set yrange [0:1e-3<*]\nset xrange [0.3:" + std::to_string(count) + ".7]\nset xtics (" + tics + ")\n";
   return panel;
 }
 
@@ -122,8 +139,8 @@ CaptionedFigure figureOfRivals(const Experiment &experiment, const RunData &data
       letters += (letters.empty() ? "" : "; ") + series.title;
     }
   }
-  return {figure, letters + ". Blue: limits of the image; orange: the real detector, which looks for the plain ring in "
-                            "B to F and I, where it cannot read the code, and is ViSP's in J."};
+  return {figure, letters + ". Blue: limits of the image; orange: the real detector, which in D and E looks for the "
+                            "ring alone and in J is ViSP's; it has no way to look for B, C, F and I."};
 }
 } // namespace
 
@@ -149,18 +166,19 @@ void addDesign(const Experiment &experiment, const RunData &data, Document &docu
       "same, and so do the poses: 5 m to 22 m, to 60°. Measures are in units of the ring's outer radius. The limit is "
       "the Cramér-Rao bound with an unknown surround, medians over the poses; separation is of the two solutions, weak "
       "if their mean log-odds are below 10. To the marker most like it: the distance between the two images, in "
-      "standard "
-      "deviations of the noise; below 10 an ideal reader errs once in 3 million. The detector is the real one, told "
-      "the "
-      "design; what it cannot read (B to F and I, and sectors that no family has) it seeks as a plain ring. AprilTag's "
-      "is ViSP's. Found: without poses that mislead.");
+      "standard deviations of the noise; below 10 an ideal reader errs once in 3 million. The detector is the real "
+      "one, "
+      "told the design; codes outside the ring it cannot read, it seeks the ring alone (D, E). AprilTag's is ViSP's. "
+      "Found: without poses that mislead.");
   std::vector<std::vector<std::string>> table;
   for (std::size_t i = 0; i < experiment.series.size(); ++i) {
     const DesignFigures f = designFiguresOf(data[i]);
+    const bool hasDetector = isSought(experiment.series[i]);
+    const auto ofDetector = [hasDetector](double value) { return hasDetector ? digits(value) : "-"; };
     table.push_back({experiment.series[i].title, digits(f.lateralLimit), digits(f.depthLimit), digits(f.normalLimit),
                      digits(f.separation), digits(100. * f.weakSeparation), f.reading > 0. ? digits(f.reading) : "-",
-                     digits(f.depthError), digits(100. * f.mirrored), digits(100. * f.found), digits(f.reach),
-                     std::to_string(f.frames)});
+                     ofDetector(f.depthError), ofDetector(100. * f.mirrored), ofDetector(100. * f.found),
+                     ofDetector(f.reach), std::to_string(f.frames)});
   }
   addFigures(figuresOfDesign(experiment, data), document);
   document.addTable("All designs",
