@@ -59,6 +59,7 @@ void addConditions(const Settings &settings, Document &document)
        << settings.blur << " px (standard deviations), paper 220, ink 30, ground 110. "
        << "One marker of " << 1000. * settings.size << " mm outer diameter on a sheet of "
        << 1000. * settings.sheetSide() << " mm. Seed " << settings.seed << ". CPU times are of one thread.";
+  document.addHeading("The simulated camera");
   document.addParagraph(text.str());
 }
 
