@@ -53,15 +53,26 @@ int main(int argc, char *argv[])
   unsigned int timeouts = 0;
   app.add_option("--timeouts", timeouts, "Table of how long after its timeout the detector comes back, N rounds")
       ->check(CLI::Range(1, 1000));
+  unsigned int hardships = 0;
+  app.add_option("--hardships", hardships,
+                 "Table of the share of markers that are found where they are covered or the picture is bad, N frames "
+                 "of each kind")
+      ->check(CLI::Range(1, 1000000));
+  std::uint64_t seed = 1;
+  app.add_option("--seed", seed, "Seed of the frames for --hardships")->capture_default_str();
+  std::string only;
+  app.add_option("--only", only, "With --hardships: the kinds with this in their name");
   std::string family = "golay23";
-  app.add_option("--family", family, "Family of the markers for --reach")
+  app.add_option("--family", family, "Family of the markers for --reach and --hardships")
       ->check(CLI::IsMember({"golay23", "bch31", "bch31r", "ring"}))
       ->capture_default_str();
   std::string photographs;
   std::string overlays;
   app.add_option("--photographs", photographs, "Markers found in the pictures of a folder that has none")
       ->check(CLI::ExistingDirectory);
-  app.add_option("--overlays", overlays, "With --photographs: folder to write pictures of the rings found to")
+  app.add_option("--overlays", overlays,
+                 "With --photographs: folder to write pictures of the rings found to; with --hardships: of the frames "
+                 "whose marker was not found")
       ->check(CLI::ExistingDirectory);
   app.allow_extras();
   try {
@@ -85,13 +96,16 @@ int main(int argc, char *argv[])
     if (reach > 0) {
       bench::tellReach(std::cout, family, reach);
     }
+    if (hardships > 0) {
+      bench::tellHardships(std::cout, family, hardships, seed, only, overlays);
+    }
     if (phantoms > 0) {
       bench::tellPhantoms(std::cout, phantoms);
     }
     if (!photographs.empty()) {
       bench::tellPhotographs(std::cout, photographs, overlays);
     }
-    if (ratios + timeouts + reach + phantoms > 0 || !photographs.empty()) {
+    if (ratios + timeouts + reach + hardships + phantoms > 0 || !photographs.empty()) {
       return 0;
     }
     std::vector<std::string> left = {name};

@@ -37,16 +37,9 @@ double uniform(Random &random, double low, double high)
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-// Focal length of the reference camera, 1600 pixels for a width of 1280.
-vpCameraParameters cameraOf(unsigned int width, unsigned int height)
-{
-  const double focal = 1.25 * width;
-  return vpCameraParameters(focal, focal, 0.5 * (width - 1.), 0.5 * (height - 1.));
-}
-
 // A marker whose ring has an outer diameter in pixels, centred at a pixel, tilted about a random axis and spun.
-vpHomogeneousMatrix randomPose(Random &random, const vpCameraParameters &camera, double diameter, double tilt, double u,
-                               double v)
+vpHomogeneousMatrix drawPose(Random &random, const vpCameraParameters &camera, double diameter, double tilt, double u,
+                             double v)
 {
   const double depth = camera.get_px() * markerSize / diameter;
   const vpTranslationVector center(depth * (u - camera.get_u0()) / camera.get_px(),
@@ -143,6 +136,19 @@ cv::Mat blobs(int width, int height, Random &random)
 }
 } // namespace
 
+vpCameraParameters cameraOf(unsigned int width, unsigned int height)
+{
+  const double focal = 1.25 * width;
+  return vpCameraParameters(focal, focal, 0.5 * (width - 1.), 0.5 * (height - 1.));
+}
+
+vpHomogeneousMatrix randomPose(std::uint64_t seed, const vpCameraParameters &camera, double diameter, double tilt,
+                               double u, double v)
+{
+  Random random(seed);
+  return drawPose(random, camera, diameter, tilt, u, v);
+}
+
 Scene makeScene(const SceneOptions &options)
 {
   Random random(options.seed);
@@ -180,7 +186,7 @@ Scene makeScene(const SceneOptions &options)
     constexpr double ringRatio = 0.8; // of the family "ring" as it is printed
     vpSimulatedMarker marker = isRing ? vpSimulatedMarker::ring(markerSize, ringRatio)
                                       : vpSimulatedMarker::circle(options.family, id, markerSize);
-    simulator.addMarker(marker.setPose(randomPose(random, scene.camera, diameter, tilt, u, v)));
+    simulator.addMarker(marker.setPose(drawPose(random, scene.camera, diameter, tilt, u, v)));
   }
   scene.truth = simulator.render(scene.image, options.seed);
   return scene;

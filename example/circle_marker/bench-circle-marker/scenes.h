@@ -57,6 +57,20 @@ struct Scene
   std::vector<vpMarkerTruth> truth;
 };
 
+/*! A camera whose focal length is that of the reference camera: 1600 pixels for a width of 1280. */
+vpCameraParameters cameraOf(unsigned int width, unsigned int height);
+
+/*!
+  A z-aligned pose of any direction of tilt and any spin.
+  \param seed : Of what is random.
+  \param camera : Without distortion.
+  \param diameter : Outer diameter of the ring in the image before its tilt, pixels.
+  \param tilt : Angle between normal and line of sight, rad.
+  \param u, v : Image of its centre, pixels.
+*/
+vpHomogeneousMatrix randomPose(std::uint64_t seed, const vpCameraParameters &camera, double diameter, double tilt,
+                               double u, double v);
+
 /*! The frame of the options: markers in the cells of a grid, with random positions in them, tilts and spins. */
 Scene makeScene(const SceneOptions &options);
 

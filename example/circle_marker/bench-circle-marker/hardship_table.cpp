@@ -1,0 +1,190 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Table of the markers found and rightly read where they are covered or the picture is bad.
+ */
+
+#include "tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include <visp3/circle_marker/vpDetectorCircleMarker.h>
+#include <visp3/core/vpRotationMatrix.h>
+#include <visp3/core/vpThetaUVector.h>
+#include <visp3/io/vpImageIo.h>
+
+#include "hardships.h"
+
+namespace bench {
+namespace {
+// A detection is of the marker if their centres agree to this share of the major semi-axis.
+constexpr double near = 0.25;
+// What the visible share may be off.
+constexpr double visibleSlack = 0.1;
+
+// The matrix of the cross product with a vector.
+vpMatrix crossMatrix(const vpColVector &v)
+{
+  vpMatrix matrix(3, 3);
+  matrix[0][1] = -v[2];
+  matrix[0][2] = v[1];
+  matrix[1][0] = v[2];
+  matrix[1][2] = -v[0];
+  matrix[2][0] = -v[1];
+  matrix[2][1] = v[0];
+  return matrix;
+}
+
+// The estimate turned about its normal so that its spin is the true one: a marker without a code has none of its own.
+vpHomogeneousMatrix withSpinOf(const vpHomogeneousMatrix &truth, const vpHomogeneousMatrix &estimate)
+{
+  double c = 0.;
+  double s = 0.;
+  for (unsigned int row = 0; row < 3; ++row) {
+    c += estimate[row][0] * truth[row][0];
+    s += estimate[row][1] * truth[row][0];
+  }
+  const vpRotationMatrix spin(vpThetaUVector(0., 0., std::atan2(s, c)));
+  return estimate * vpHomogeneousMatrix(vpTranslationVector(0., 0., 0.), spin);
+}
+
+// Squared Mahalanobis distance of the truth from the estimate by its covariance, about the marker's centre, where the
+// numbers are well conditioned.
+double squaredMahalanobis(const vpHomogeneousMatrix &truth, const vpCircleMarkerDetection &detection)
+{
+  const vpHomogeneousMatrix cMo = detection.dof == 6 ? detection.cMo : withSpinOf(truth, detection.cMo);
+  vpColVector center(3);
+  vpColVector error(6);
+  const vpThetaUVector turn(vpRotationMatrix(truth) * vpRotationMatrix(cMo).t());
+  for (unsigned int i = 0; i < 3; ++i) {
+    center[i] = cMo[i][3];
+    error[i] = truth[i][3] - cMo[i][3];
+    error[3 + i] = turn[i];
+  }
+  vpMatrix move(6, 6);
+  move.eye();
+  move.insert(-1. * crossMatrix(center), 0, 3);
+  vpMatrix covariance = move * detection.covariance * move.t();
+  for (unsigned int i = 0; i < 6; ++i) {
+    const double sigma = std::sqrt(covariance[i][i]);
+    error[i] /= sigma;
+    for (unsigned int j = 0; j < 6; ++j) {
+      covariance[i][j] /= sigma;
+      covariance[j][i] /= sigma;
+    }
+  }
+  return vpColVector::dotProd(error, covariance.inverseByLU() * error);
+}
+
+struct Line
+{
+  unsigned int frames = 0;
+  unsigned int found = 0;
+  unsigned int wrong = 0;        // read as another marker, or where there is none
+  unsigned int misjudged = 0;    // visible share off by more than the slack
+  double covered = 0.;           // sums over frames and over what was found
+  std::vector<double> distances; // squared Mahalanobis distances, by their degrees of freedom
+
+  void add(const Line &other)
+  {
+    frames += other.frames;
+    found += other.found;
+    wrong += other.wrong;
+    misjudged += other.misjudged;
+    covered += other.covered;
+    distances.insert(distances.end(), other.distances.begin(), other.distances.end());
+  }
+};
+
+void write(std::ostream &out, const std::string &what, double level, Line line)
+{
+  double mean = 0.;
+  for (const double distance : line.distances) {
+    mean += distance / static_cast<double>(line.distances.size());
+  }
+  std::sort(line.distances.begin(), line.distances.end());
+  const double worst = line.distances.empty() ? 0. : line.distances.back();
+  const double median = line.distances.empty() ? 0. : line.distances[line.distances.size() / 2];
+  out << "| " << what << " | " << std::defaultfloat << std::setprecision(3) << level << " | " << line.frames << " | "
+      << std::fixed << std::setprecision(1) << 100. * line.found / line.frames << " % | " << line.wrong << " | "
+      << std::setprecision(2) << mean << " | " << median << " | " << worst << " | " << line.misjudged << " |"
+      << std::endl;
+}
+
+// Whether the marker was found and rightly read.
+bool judge(const Scene &scene, const vpDetectorCircleMarker &detector, Line &line)
+{
+  const vpMarkerTruth &truth = scene.truth.front();
+  bool isFound = false;
+  ++line.frames;
+  line.covered += truth.coveredArea;
+  for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
+    if (detection.id != truth.id ||
+        vpImagePoint::distance(detection.center, truth.center) > near * truth.ellipse->semiAxisA) {
+      ++line.wrong;
+      continue;
+    }
+    isFound = true;
+    ++line.found;
+    line.distances.push_back(squaredMahalanobis(truth.cMo, detection) / detection.dof);
+    line.misjudged += std::abs(detection.visible - truth.visibleEdge) > visibleSlack ? 1 : 0;
+  }
+  return isFound;
+}
+} // namespace
+
+void tellHardships(std::ostream &out, const std::string &family, unsigned int frames, std::uint64_t seed,
+                   const std::string &only, const std::string &pictures)
+{
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::fromName(family));
+  detector.setZAlignedWithCameraAxis(true);
+  out << "| " << family << ": hardship | level | frames | found and rightly read | others | mean d^2/dof | median | "
+      << "greatest | visible off |\n|---|---|---|---|---|---|---|---|---|\n";
+  Line all;
+  const Hardship *previous = nullptr;
+  const auto sum = [&](const Hardship *next) {
+    if (previous != nullptr && previous->covers && (next == nullptr || next->level != previous->level)) {
+      write(out, "all that covers", previous->level, all);
+      all = Line();
+    }
+    previous = next;
+  };
+  for (const Hardship &hardship : hardships()) {
+    if (hardship.name.find(only) == std::string::npos) {
+      continue;
+    }
+    sum(&hardship);
+    Line line;
+    for (unsigned int frame = 0; frame < frames; ++frame) {
+      const Scene scene = makeHardScene(hardship, family, 1000003 * seed + frame);
+      std::vector<vpHomogeneousMatrix> poses;
+      detector.detect(scene.image, markerSize, scene.camera, poses);
+      const unsigned int wrong = line.wrong;
+      if ((!judge(scene, detector, line) || line.wrong > wrong) && !pictures.empty()) {
+        std::ostringstream name;
+        name << pictures << '/' << hardship.name << '-' << hardship.level << '-' << frame << ".png";
+        vpImageIo::write(scene.image, name.str());
+      }
+    }
+    write(out, hardship.name, hardship.level, line);
+    if (hardship.covers) {
+      all.add(line);
+    }
+  }
+  sum(nullptr);
+}
+} // namespace bench
