@@ -239,8 +239,9 @@ vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCan
   if (!measurement) {
     return std::nullopt;
   }
-  return Found{reportOf(marker, *measurement, visit.camera, outline.support, settings.zAlignedWithCameraAxis), marker,
-               outline, outlineOf(marker, measurement->first.plane, visit.camera, polygonPoints)};
+  const double visible = marker.seen ? marker.seen->share() : outline.support;
+  return Found{reportOf(marker, *measurement, visit.camera, visible, settings.zAlignedWithCameraAxis), marker, outline,
+               outlineOf(marker, measurement->first.plane, visit.camera, polygonPoints)};
 }
 
 /*!
@@ -283,7 +284,8 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   if (!measurement) {
     return std::nullopt;
   }
-  return reportOf(*marker, *measurement, camera, known.outline.support, settings.zAlignedWithCameraAxis);
+  const double visible = marker->seen ? marker->seen->share() : known.outline.support;
+  return reportOf(*marker, *measurement, camera, visible, settings.zAlignedWithCameraAxis);
 }
 
 /*! The marker of an index; throws vpException::badValue if there is none. */

@@ -69,6 +69,21 @@ public:
   /*! The code word of a message of k bits: the product of the polynomials message(x) and g(x). */
   Word encode(Word message) const;
 
+  /*! Calls visit(word) for every codeword but the zero word. */
+  template <typename Visitor> void forEachCodeword(const Visitor &visit) const
+  {
+    // In the order of a Gray code each message differs from the last in one bit.
+    Word word = 0;
+    for (Word number = 1; number < Word(1) << getDimension(); ++number) {
+      unsigned int bit = 0;
+      while (((number >> bit) & 1U) == 0) {
+        ++bit;
+      }
+      word ^= m_generator << bit;
+      visit(word);
+    }
+  }
+
   /*! Whether a word of n bits belongs to the code (constant words may). */
   bool contains(Word word) const { return syndrome(word) == 0; }
 

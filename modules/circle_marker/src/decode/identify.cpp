@@ -17,6 +17,9 @@
 
 #include "decode/identify.h"
 
+#include <array>
+#include <cmath>
+
 #include "decode/cyclic_code.h"
 
 BEGIN_VISP_NAMESPACE
@@ -32,6 +35,43 @@ constexpr double mostResidual = 0.25;
 // (Of the readings of 1025 photographs without a marker, none of 25 phantoms with two corrections passes 0.75; markers
 // of 20 pixels and more are read without correction at 0.77 and better.)
 constexpr double marginOfCapacity = 0.3;
+
+// A covered marker's black and white sectors stand further apart: it is not as small, and has less to prove itself.
+constexpr double leastCoveredContrast = 0.4;
+// Reflectance halfway between black and white sectors is that far from the middle of ink and paper at most.
+constexpr double middleSlack = 0.25;
+// Sectors that must be seen beyond those that the message takes: each halves the chance that others fit.
+constexpr unsigned int leastRedundancy = 2;
+// By how many sectors the best codeword agrees better than any other.
+constexpr double leastAhead = 0.35;
+
+/*! Sums of the soft values with the signs of a word's bits, byte by byte: four look-ups for a word. */
+class Scores
+{
+public:
+  Scores(const std::array<double, mostSectors> &soft, unsigned int sectors)
+  {
+    for (unsigned int byte = 0; byte < m_sums.size(); ++byte) {
+      for (unsigned int value = 0; value < 256; ++value) {
+        double sum = 0.;
+        for (unsigned int bit = 0; bit < 8 && 8 * byte + bit < sectors; ++bit) {
+          const double here = soft[sectors - 1 - 8 * byte - bit];
+          sum += (value >> bit) & 1U ? here : -here;
+        }
+        m_sums[byte][value] = static_cast<float>(sum);
+      }
+    }
+  }
+
+  float of(CyclicCode::Word word) const
+  {
+    return m_sums[0][word & 0xff] + m_sums[1][(word >> 8) & 0xff] + m_sums[2][(word >> 16) & 0xff] +
+           m_sums[3][word >> 24];
+  }
+
+private:
+  std::array<std::array<float, 256>, 4> m_sums;
+};
 
 double agreement(const SectorReading &reading, CyclicCode::Word codeword)
 {
@@ -70,6 +110,61 @@ Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerF
   result.spin = reading.phase + 2. * M_PI * identity->rotation / reading.sectors;
   const double corrected = static_cast<double>(result.hamming) / code.getCapacity();
   if (result.margin < settings.minimumMargin + marginOfCapacity * corrected) {
+    return {vpCircleMarkerReject::LOW_MARGIN, result};
+  }
+  return result;
+}
+Judged<CodeReading> identifyCovered(const SectorReading &reading, const vpCircleMarkerFamily &family,
+                                    const DecodeSettings &settings)
+{
+  if (reading.contrast < leastCoveredContrast || std::abs(reading.middle - 0.5) > middleSlack ||
+      reading.residual > mostResidual * reading.contrast) {
+    return vpCircleMarkerReject::NO_SECTORS;
+  }
+  const CyclicCode &code = codeOf(family);
+  std::array<double, mostSectors> soft{};
+  double seen = 0.;
+  CyclicCode::Word word = 0;
+  CyclicCode::Word mask = 0;
+  for (unsigned int k = 0; k < reading.sectors; ++k) {
+    const bool isSeen = reading.seen[k] >= leastSeen;
+    soft[k] = isSeen ? reading.seen[k] * reading.soft[k] : 0.;
+    seen += isSeen ? reading.seen[k] : 0.;
+    word = (word << 1) | (reading.soft[k] > 0. ? 1U : 0U);
+    mask = (mask << 1) | (isSeen ? 1U : 0U);
+  }
+  if (hammingDistance(mask, 0) < code.getDimension() + leastRedundancy) {
+    return vpCircleMarkerReject::NO_SECTORS;
+  }
+  const Scores scores(soft, reading.sectors);
+  CyclicCode::Word best = 0;
+  float bestScore = scores.of(0);
+  float secondScore = -HUGE_VALF;
+  code.forEachCodeword([&](CyclicCode::Word codeword) {
+    const float score = scores.of(codeword);
+    if (score > bestScore) {
+      secondScore = bestScore;
+      bestScore = score;
+      best = codeword;
+    }
+    else if (score > secondScore) {
+      secondScore = score;
+    }
+  });
+  const auto identity = code.identify(best);
+  if (!identity) {
+    return vpCircleMarkerReject::NO_CODEWORD;
+  }
+  CodeReading result;
+  result.id = identity->id;
+  result.hamming = hammingDistance(word & mask, best & mask);
+  result.margin = bestScore / seen;
+  result.spin = reading.phase + 2. * M_PI * identity->rotation / reading.sectors;
+  // Each sector in which two words differ tells them apart by two.
+  const double ahead = 0.5 * static_cast<double>(bestScore - secondScore);
+  const double corrected = static_cast<double>(result.hamming) / code.getCapacity();
+  if (result.hamming > settings.maximumHamming || ahead < leastAhead + result.hamming ||
+      result.margin < settings.minimumMargin + marginOfCapacity * corrected) {
     return {vpCircleMarkerReject::LOW_MARGIN, result};
   }
   return result;

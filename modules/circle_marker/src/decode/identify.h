@@ -41,6 +41,12 @@ struct CodeReading
 /*! The marker whose code is nearest to a reading, or NO_SECTORS, NO_CODEWORD, or LOW_MARGIN with what was refused. */
 Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerFamily &family,
                              const DecodeSettings &settings);
+/*!
+  The same for a reading of which a part is not seen: the codeword that agrees best with what is, if no other comes near
+  it. All codewords are tried.
+*/
+Judged<CodeReading> identifyCovered(const SectorReading &reading, const vpCircleMarkerFamily &family,
+                                    const DecodeSettings &settings);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "decode/covered_reading.h"
 #include "decode/radial_profile.h"
 #include "decode/shape_evidence.h"
 
@@ -70,6 +71,14 @@ Judged<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraM
       codes[i] = identify(*sectors[i], family, settings);
     }
   }
+  std::array<std::optional<SeenParts>, 2> seen;
+  const bool isCovered = !codes[0] && !codes[1];
+  for (std::size_t i = 0; i < 2 && isCovered; ++i) {
+    if (const auto reading = readCoveredSectors(I, camera, poses[i], family)) {
+      codes[i] = identifyCovered(reading->sectors, family, settings);
+      seen[i] = reading->seen;
+    }
+  }
   const std::size_t best = isFarther(codes[0], codes[1]) ? 1 : 0;
   if (trace != nullptr) {
     *trace = {poses[best], sectors[best].seen(), codes[best].seen()};
@@ -81,6 +90,7 @@ Judged<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraM
   Recognition result;
   result.family = family;
   result.code = *codes[best];
+  result.seen = seen[best];
   result.ringInner = family.getLayout().ringInner;
   result.poses = poses;
   result.poses[best].spin(codes[best]->spin);

@@ -21,6 +21,7 @@
 #include <optional>
 
 #include "decode/identify.h"
+#include "decode/seen_parts.h"
 #include "ellipse/ellipse_candidates.h"
 #include "pose/hypotheses.h"
 
@@ -33,6 +34,7 @@ struct Recognition
   CodeReading code;       //!< id -1 without a code.
   double ringInner = 0.8; //!< Inner radius of the ring, in units of the outer radius; 0 for a disc.
   PosePair poses;
+  std::optional<SeenParts> seen; //!< Where something covers a part of it.
 };
 
 /*! What was read on the way to a code, to be shown: of the pose under which it came farther. */

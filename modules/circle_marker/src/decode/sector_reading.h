@@ -18,8 +18,7 @@
 #ifndef VP_CIRCLE_MARKER_SECTOR_READING_H
 #define VP_CIRCLE_MARKER_SECTOR_READING_H
 
-#include <array>
-
+#include "decode/code_track.h"
 #include "pose/marker_plane.h"
 #include "support/camera_model.h"
 #include "support/judged.h"
@@ -29,19 +28,6 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Most sectors of a code track. */
-constexpr unsigned int mostSectors = 31;
-
-/*! The sectors of a code track as the image shows them, before decoding. */
-struct SectorReading
-{
-  unsigned int sectors = 0;             //!< Their number.
-  double phase = 0.;                    //!< Angle at which the first of them starts, in the plane's frame, rad.
-  std::array<double, mostSectors> soft; //!< From -1 (white) to 1 (black).
-  double contrast = 0.;                 //!< White minus black of the sectors, as a share of the ring's own contrast.
-  double residual = 0.; //!< Root mean square of what the sectors leave unexplained of the track, share of the contrast.
-};
-
 /*!
   Reads the code track of a marker at a hypothetical pose (its spin does not matter).
 

@@ -144,6 +144,16 @@ bool isHopeless(const FittedPose &fit, const FittedPose &best, double noise)
 {
   return fit.squares - best.squares > 2. * hopelessOdds * noise * noise;
 }
+// Leaves out what is known to be covered: much of it would pull the first steps away, and raise what is taken for
+// noise.
+void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
+{
+  if (marker.seen) {
+    pixels.erase(std::remove_if(pixels.begin(), pixels.end(),
+                                [&](const FitPixel &pixel) { return !marker.seen->holds(pixel.model.meter); }),
+                 pixels.end());
+  }
+}
 } // namespace
 
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
@@ -156,6 +166,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
 
   // All starts on few pixels, to know which are worth more and how wide the blur is.
   selectFewPixels(I, camera, marker.poses.data(), marker.poses.size(), pattern, commonBlur, memory.pixels);
+  dropCovered(marker, memory.pixels);
   FitSettings coarse = settings;
   coarse.convergence = coarseConvergence;
   coarse.exactBends = false;
@@ -183,6 +194,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     }
     const double blur = std::clamp(fits[0].photometry.blur.sigma, leastBlur, mostBlur);
     selectPixels(I, camera, planes.data(), fits.size(), pattern, blur, manyPixels, memory.pixels);
+    dropCovered(marker, memory.pixels);
     std::vector<FitStart> starts;
     for (const FittedPose &fit : fits) {
       starts.push_back({fit.plane, fit.photometry, noise});

@@ -1,0 +1,288 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Code track of a marker: from samples along it to the grey levels of its sectors.
+ */
+
+#include "decode/code_track.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include "support/normal_distribution.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Phases of the grid of sectors that are told apart: an eighth of a sector is 2 degrees of spin.
+constexpr unsigned int phases = 8;
+// From this length of a sector, pixels, the steps between sectors stand apart and tell the phase (its mean over the
+// track: oblique markers have shorter ones). Below it all phases are tried.
+constexpr double stepsApart = 2.5;
+// Weight that holds a sector to the mean of all: squared ratio of the noise (3 grey levels) to half the contrast (60).
+constexpr double regularisation = 0.0025;
+// A sector is black or white to this share of half the contrast, and its samples agree with it to this share of the
+// contrast; else something covers a part of it.
+constexpr double mostOff = 0.45;
+constexpr double mostUneven = 0.15;
+// How far a sector beside a covered one is believed.
+constexpr double besideCovered = 0.7;
+// Sum of weights below which nothing is seen of a track.
+constexpr double leastWeight = 1e-6;
+
+using SectorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostSectors, mostSectors>;
+using SectorVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostSectors, 1>;
+
+// Least-squares grey levels of the sectors when the first starts at \e phase; returns the sum of squared residuals.
+double solveSectors(const CodeTrack &track, unsigned int sectors, double phase, SectorVector &greys,
+                    std::array<double, mostSamples> &residuals)
+{
+  const NormalDistribution &normal = NormalDistribution::instance();
+  SectorMatrix normalMatrix = SectorMatrix::Zero(sectors, sectors);
+  SectorVector right = SectorVector::Zero(sectors);
+  const double sectorAngle = 2. * M_PI / sectors;
+  constexpr int neighbours = 2; // to either side: three sectors away, 1.5 sectors of blur are three sigma
+  constexpr int touched = 2 * neighbours + 1;
+  struct Row
+  {
+    std::array<int, touched> sector; // from 0 to n - 1
+    std::array<double, touched> weight;
+  };
+  static thread_local std::array<Row, mostSamples> rows;
+  double mean = 0.;
+  double weights = 0.;
+  const int n = static_cast<int>(sectors);
+  for (unsigned int i = 0; i < track.samples; ++i) {
+    const double angle = 2. * M_PI * (i + 0.5) / track.samples - phase;
+    const int sector = static_cast<int>(std::floor(angle / sectorAngle));
+    Row &row = rows[i];
+    const int first = sector - neighbours;
+    double previous = 0.; // the outermost sectors take all that lies beyond them
+    for (int j = 0; j < touched; ++j) {
+      // Angles lie within a turn of the first sector: one turn more or less is enough.
+      const int wrapped = first + j < 0 ? first + j + n : first + j >= n ? first + j - n : first + j;
+      row.sector[static_cast<std::size_t>(j)] = wrapped;
+      const double end = (first + j + 1) * sectorAngle;
+      const double upTo = j + 1 == touched ? 1. : normal.at((end - angle) / track.blur[i]).cumulative;
+      row.weight[static_cast<std::size_t>(j)] = upTo - previous;
+      previous = upTo;
+    }
+    mean += track.weight[i] * track.grey[i];
+    weights += track.weight[i];
+  }
+  mean /= std::max(weights, leastWeight);
+  for (unsigned int i = 0; i < track.samples; ++i) {
+    const Row &row = rows[i];
+    for (std::size_t j = 0; j < touched; ++j) {
+      const double weight = track.weight[i] * row.weight[j];
+      right[row.sector[j]] += weight * (track.grey[i] - mean);
+      for (std::size_t k = 0; k <= j; ++k) {
+        const auto [least, most] = std::minmax(row.sector[j], row.sector[k]);
+        normalMatrix(most, least) += weight * row.weight[k]; // the lower half
+      }
+    }
+  }
+  normalMatrix.diagonal().array() += regularisation * samplesPerSector;
+  greys = normalMatrix.ldlt().solve(right);
+  double squares = 0.;
+  for (unsigned int i = 0; i < track.samples; ++i) {
+    double predicted = mean;
+    for (std::size_t j = 0; j < touched; ++j) {
+      predicted += rows[i].weight[j] * greys[rows[i].sector[j]];
+    }
+    residuals[i] = track.grey[i] - predicted;
+    squares += track.weight[i] * residuals[i] * residuals[i];
+  }
+  greys.array() += mean;
+  return squares;
+}
+
+// The phase told by the steps between sectors: that of the harmonic of the squared steps that has one period a sector.
+// Nothing if the sectors are too short for the steps to stand apart.
+std::optional<unsigned int> likelyPhase(const CodeTrack &track, unsigned int sectors)
+{
+  double pixelAngle = 0.; // mean angle of a pixel along the track
+  double c = 0.;
+  double s = 0.;
+  for (unsigned int i = 0; i < track.samples; ++i) {
+    const unsigned int next = (i + 1) % track.samples;
+    // Where something covers the track, a step may be its own edge.
+    const double step = std::min(track.weight[i], track.weight[next]) * (track.grey[next] - track.grey[i]);
+    // The step lies between samples i and i + 1, which are half a sample after their numbers: at i + 1.
+    const double angle = 2. * M_PI * (i + 1) / samplesPerSector;
+    c += step * step * std::cos(angle);
+    s += step * step * std::sin(angle);
+    pixelAngle += track.blur[i] / (trackBlur * track.samples);
+  }
+  if (2. * M_PI / sectors < stepsApart * pixelAngle) {
+    return std::nullopt;
+  }
+  const double phase = std::atan2(s, c) / (2. * M_PI); // of a sector
+  return static_cast<unsigned int>(std::lround(phases * (phase + 1.))) % phases;
+}
+
+// Splits the grey levels of the sectors that are seen in two groups with the least spread inside them; returns the
+// middle and half the distance. Nothing if fewer than two are seen.
+std::optional<std::pair<double, double>> splitInTwo(const SectorVector &greys,
+                                                    const std::array<double, mostSectors> &seen)
+{
+  std::array<double, mostSectors> sorted;
+  std::size_t n = 0;
+  double total = 0.;
+  for (Eigen::Index k = 0; k < greys.size(); ++k) {
+    if (seen[static_cast<std::size_t>(k)] >= leastSeen) {
+      sorted[n++] = greys[k];
+      total += greys[k];
+    }
+  }
+  std::sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(n));
+  double best = -1.;
+  std::optional<std::pair<double, double>> split;
+  double below = 0.;
+  for (std::size_t i = 1; i < n; ++i) {
+    below += sorted[i - 1];
+    const double dark = below / static_cast<double>(i);
+    const double bright = (total - below) / static_cast<double>(n - i);
+    const double between = static_cast<double>(i) * static_cast<double>(n - i) * (bright - dark) * (bright - dark);
+    if (between > best) {
+      best = between;
+      split = {0.5 * (bright + dark), 0.5 * (bright - dark)};
+    }
+  }
+  return split;
+}
+
+// Sector of a sample.
+std::size_t sectorAt(const CodeTrack &track, unsigned int sample, double phase, unsigned int sectors)
+{
+  const double angle = 2. * M_PI * (sample + 0.5) / track.samples - phase + 2. * M_PI;
+  return static_cast<std::size_t>(angle / (2. * M_PI) * sectors) % sectors;
+}
+
+// Share of each sector's samples that are seen.
+void findSeen(const CodeTrack &track, double phase, SectorReading &reading)
+{
+  std::array<double, mostSectors> all{};
+  reading.seen.fill(0.);
+  for (unsigned int i = 0; i < track.samples; ++i) {
+    const std::size_t sector = sectorAt(track, i, phase, reading.sectors);
+    reading.seen[sector] += track.weight[i];
+    all[sector] += 1.;
+  }
+  for (unsigned int k = 0; k < reading.sectors; ++k) {
+    reading.seen[k] /= std::max(all[k], 1.);
+  }
+}
+
+/*! The best solution of a track. */
+struct Solution
+{
+  SectorVector greys;
+  std::array<double, mostSamples> residuals;
+  double squares = HUGE_VAL;
+};
+
+Solution solveAllPhases(const CodeTrack &track, SectorReading &reading)
+{
+  Solution best;
+  const std::optional<unsigned int> likely = likelyPhase(track, reading.sectors);
+  const unsigned int first = likely ? *likely + phases - 1 : 0;
+  const unsigned int count = likely ? 3 : phases; // the likely one between its neighbours
+  for (unsigned int i = first; i < first + count; ++i) {
+    const double phase = 2. * M_PI * (i % phases) / (phases * reading.sectors);
+    Solution solution;
+    solution.squares = solveSectors(track, reading.sectors, phase, solution.greys, solution.residuals);
+    if (solution.squares < best.squares) {
+      best = solution;
+      reading.phase = phase;
+    }
+  }
+  findSeen(track, reading.phase, reading);
+  return best;
+}
+
+// What the sectors are by the two groups of their greys; false if they are all of one kind.
+bool tellSectors(const CodeTrack &track, const Solution &solution, SectorReading &reading)
+{
+  const auto split = splitInTwo(solution.greys, reading.seen);
+  if (!split || split->second <= 0.) {
+    return false;
+  }
+  const auto [middle, half] = *split;
+  double weights = 0.;
+  for (unsigned int i = 0; i < track.samples; ++i) {
+    weights += track.weight[i];
+  }
+  reading.middle = middle;
+  reading.contrast = 2. * half;
+  reading.residual = std::sqrt(solution.squares / std::max(weights, leastWeight));
+  for (unsigned int i = 0; i < reading.sectors; ++i) {
+    reading.soft[i] = std::clamp((middle - solution.greys[i]) / half, -1., 1.);
+  }
+  return true;
+}
+
+// Sectors that are neither black nor white, or not the same from one side to the other: something covers a part of
+// them. What lies beside a covered sector is believed half.
+void doubtOddSectors(const CodeTrack &track, const Solution &solution, SectorReading &reading)
+{
+  std::array<double, mostSectors> squares{};
+  std::array<double, mostSectors> weights{};
+  for (unsigned int i = 0; i < track.samples; ++i) {
+    const std::size_t sector = sectorAt(track, i, reading.phase, reading.sectors);
+    squares[sector] += track.weight[i] * solution.residuals[i] * solution.residuals[i];
+    weights[sector] += track.weight[i];
+  }
+  for (unsigned int k = 0; k < reading.sectors; ++k) {
+    const double fromMiddle = 2. * std::abs(solution.greys[k] - reading.middle) / reading.contrast;
+    const double uneven = std::sqrt(squares[k] / std::max(weights[k], leastWeight)) / reading.contrast;
+    if (std::abs(fromMiddle - 1.) > mostOff || uneven > mostUneven) {
+      reading.seen[k] = 0.;
+    }
+  }
+}
+} // namespace
+
+std::optional<SectorReading> solveTrack(const CodeTrack &track, unsigned int sectors)
+{
+  SectorReading reading;
+  reading.sectors = sectors;
+  const Solution solution = solveAllPhases(track, reading);
+  return tellSectors(track, solution, reading) ? std::optional<SectorReading>(reading) : std::nullopt;
+}
+
+std::optional<SectorReading> solveCoveredTrack(const CodeTrack &track, unsigned int sectors)
+{
+  constexpr int rounds = 2; // an odd sector moves the middle that it is judged by
+  SectorReading reading;
+  reading.sectors = sectors;
+  const Solution solution = solveAllPhases(track, reading);
+  for (int round = 0; round < rounds; ++round) {
+    if (!tellSectors(track, solution, reading)) {
+      return std::nullopt;
+    }
+    doubtOddSectors(track, solution, reading);
+  }
+  const auto seen = reading.seen;
+  for (unsigned int k = 0; k < sectors; ++k) {
+    const bool isBeside = seen[(k + 1) % sectors] < leastSeen || seen[(k + sectors - 1) % sectors] < leastSeen;
+    reading.seen[k] *= isBeside ? besideCovered : 1.;
+  }
+  return reading;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,57 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Parts of a marker that nothing covers.
+ */
+
+#ifndef VP_CIRCLE_MARKER_SEEN_PARTS_H
+#define VP_CIRCLE_MARKER_SEEN_PARTS_H
+
+#include <array>
+#include <bitset>
+#include <cmath>
+
+#include "decode/code_track.h"
+#include "pose/marker_plane.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! What is seen of a marker, by directions from its centre and three zones: ring, code track and centre. */
+struct SeenParts
+{
+  MarkerPlane plane;               //!< The pose at which it was looked at.
+  unsigned int directions = 0;     //!< Their number.
+  double gap = 0.;                 //!< Radius between ring and track, in units of the outer radius.
+  double core = 0.;                //!< Radius inside of which is the centre.
+  std::bitset<mostSamples> ring;   //!< Directions that show the ring.
+  std::bitset<mostSamples> track;  //!< Directions that show the code track.
+  std::bitset<mostSamples> center; //!< Directions in which the centre is white.
+
+  /*! Whether a point of the image, in normalised coordinates, is in a part that is seen. */
+  bool holds(const Eigen::Vector2d &meter) const
+  {
+    const Eigen::Vector2d q = plane.intersect(meter);
+    const double turns = std::atan2(q.y(), q.x()) / (2. * M_PI) + 1.;
+    const std::size_t direction = static_cast<std::size_t>(turns * directions) % directions;
+    const double squared = q.squaredNorm();
+    return squared > gap * gap ? ring[direction] : squared > core * core ? track[direction] : center[direction];
+  }
+
+  /*! Share of the ring that is seen. */
+  double share() const { return static_cast<double>(ring.count()) / directions; }
+};
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
