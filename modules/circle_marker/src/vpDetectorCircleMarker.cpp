@@ -212,6 +212,9 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
       examination.candidates.push_back(candidateOf(outline, family, marker.reason()));
       addReading(trace, family, visit.camera, examination.candidates.back());
     }
+    if (!marker) {
+      marker = readCovered(visit, outline, *poses, family, bench);
+    }
     if (marker) {
       examination.marker = std::move(*marker);
     }
@@ -228,6 +231,24 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   }
   examination.isRead = true;
   examination.isOver = !examination.marker;
+}
+
+/*! A marker that something covers in part: its ring is measured before its code is read. */
+Judged<Recognition> vpDetectorCircleMarker::Impl::readCovered(const Visit &visit, const EllipseCandidate &outline,
+                                                              const PosePair &poses, const vpCircleMarkerFamily &family,
+                                                              Bench &bench) const
+{
+  const auto ring = recogniseCoveredRing(visit.I, visit.camera, poses, outline, family);
+  if (!ring) {
+    return vpCircleMarkerReject::NO_RING;
+  }
+  const auto measurement = measure(visit.I, visit.camera, *ring, true, bench.measuring);
+  if (!measurement) {
+    return vpCircleMarkerReject::UNLIKE_THE_MODEL;
+  }
+  const MarkerPlane &first = measurement->first.plane;
+  const PosePair measured = {first, measurement->second ? measurement->second->plane : first};
+  return recogniseCovered(visit.I, visit.camera, measured, family, settings.decode);
 }
 
 /*! A marker through the room refine. */
@@ -275,11 +296,16 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   if (!poses) {
     return std::nullopt;
   }
-  const auto marker = recognise(image, camera, *poses, known.outline, known.marker.family, settings.decode);
+  m_benches.resize(std::max<std::size_t>(m_benches.size(), 1));
+  const vpCircleMarkerFamily &family = known.marker.family;
+  auto marker = recognise(image, camera, *poses, known.outline, family, settings.decode);
+  if (!marker) {
+    const Deadline never;
+    marker = readCovered({image, size, camera, never}, known.outline, *poses, family, m_benches.front());
+  }
   if (!marker || marker->code.id != known.marker.code.id) {
     return std::nullopt;
   }
-  m_benches.resize(std::max<std::size_t>(m_benches.size(), 1));
   const auto measurement = measure(image, camera, *marker, settings.refinePose, m_benches.front().measuring);
   if (!measurement) {
     return std::nullopt;

@@ -35,10 +35,12 @@ constexpr unsigned int phases = 8;
 constexpr double stepsApart = 2.5;
 // Weight that holds a sector to the mean of all: squared ratio of the noise (3 grey levels) to half the contrast (60).
 constexpr double regularisation = 0.0025;
-// A sector is black or white to this share of half the contrast, and its samples agree with it to this share of the
-// contrast; else something covers a part of it.
-constexpr double mostOff = 0.45;
-constexpr double mostUneven = 0.15;
+// The samples of a sector agree with its grey level to this share of the contrast; else something covers a part of it.
+constexpr double mostUneven = 0.2;
+// A sector's grey level is that of the others of its kind to this share of the contrast, and to more by this times the
+// blur in units of a sector; and that of ink or paper to twice as much.
+constexpr double mostOff = 0.06;
+constexpr double offByBlur = 0.25;
 // How far a sector beside a covered one is believed.
 constexpr double besideCovered = 0.7;
 // Sum of weights below which nothing is seen of a track.
@@ -236,9 +238,8 @@ bool tellSectors(const CodeTrack &track, const Solution &solution, SectorReading
   return true;
 }
 
-// Sectors that are neither black nor white, or not the same from one side to the other: something covers a part of
-// them. What lies beside a covered sector is believed half.
-void doubtOddSectors(const CodeTrack &track, const Solution &solution, SectorReading &reading)
+// Sectors that are not the same from one side to the other: something covers a part of them.
+void dropUnevenSectors(const CodeTrack &track, const Solution &solution, SectorReading &reading)
 {
   std::array<double, mostSectors> squares{};
   std::array<double, mostSectors> weights{};
@@ -248,12 +249,53 @@ void doubtOddSectors(const CodeTrack &track, const Solution &solution, SectorRea
     weights[sector] += track.weight[i];
   }
   for (unsigned int k = 0; k < reading.sectors; ++k) {
-    const double fromMiddle = 2. * std::abs(solution.greys[k] - reading.middle) / reading.contrast;
-    const double uneven = std::sqrt(squares[k] / std::max(weights[k], leastWeight)) / reading.contrast;
-    if (std::abs(fromMiddle - 1.) > mostOff || uneven > mostUneven) {
+    if (squares[k] > mostUneven * mostUneven * weights[k]) {
       reading.seen[k] = 0.;
     }
   }
+}
+
+// Median grey level of the black or white sectors that are wholly seen, or of all that are if these are few.
+double usualGrey(const Solution &solution, const SectorReading &reading, bool black)
+{
+  constexpr std::size_t few = 3;
+  constexpr double whole = 0.9;
+  std::array<double, mostSectors> greys;
+  std::size_t count = 0;
+  for (const double least : {whole, leastSeen}) {
+    count = 0;
+    for (unsigned int k = 0; k < reading.sectors; ++k) {
+      if (reading.seen[k] >= least && (solution.greys[k] < 0.5) == black) {
+        greys[count++] = solution.greys[k];
+      }
+    }
+    if (count >= few) {
+      break;
+    }
+  }
+  const auto middle = greys.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(greys.begin(), middle, greys.begin() + static_cast<std::ptrdiff_t>(count));
+  return count > 0 ? *middle : black ? 0. : 1.;
+}
+
+// Sectors that are neither as black as the ink nor as white as the paper, nor as black or white as the others are.
+void dropGreySectors(const CodeTrack &track, const Solution &solution, SectorReading &reading)
+{
+  double blur = 0.; // of a sector
+  for (unsigned int i = 0; i < track.samples; ++i) {
+    blur += track.blur[i] * reading.sectors / (2. * M_PI * track.samples);
+  }
+  const double off = mostOff + offByBlur * blur;
+  const auto dropAwayFrom = [&](double black, double white, double most) {
+    for (unsigned int k = 0; k < reading.sectors; ++k) {
+      const double grey = solution.greys[k];
+      if (std::abs(grey - (grey < 0.5 ? black : white)) > most) {
+        reading.seen[k] = 0.;
+      }
+    }
+  };
+  dropAwayFrom(0., 1., 2. * off);
+  dropAwayFrom(usualGrey(solution, reading, true), usualGrey(solution, reading, false), off);
 }
 } // namespace
 
@@ -267,15 +309,13 @@ std::optional<SectorReading> solveTrack(const CodeTrack &track, unsigned int sec
 
 std::optional<SectorReading> solveCoveredTrack(const CodeTrack &track, unsigned int sectors)
 {
-  constexpr int rounds = 2; // an odd sector moves the middle that it is judged by
   SectorReading reading;
   reading.sectors = sectors;
   const Solution solution = solveAllPhases(track, reading);
-  for (int round = 0; round < rounds; ++round) {
-    if (!tellSectors(track, solution, reading)) {
-      return std::nullopt;
-    }
-    doubtOddSectors(track, solution, reading);
+  dropUnevenSectors(track, solution, reading);
+  dropGreySectors(track, solution, reading);
+  if (!tellSectors(track, solution, reading)) {
+    return std::nullopt;
   }
   const auto seen = reading.seen;
   for (unsigned int k = 0; k < sectors; ++k) {

@@ -40,8 +40,11 @@ constexpr double leastOuterStep = 0.6;
 constexpr double leastInnerStep = 0.4;
 // Where blur leaves less than this share of a step, noise is not enlarged to tell it.
 constexpr double leastExpected = 0.15;
-// White beside the track differs from the light by this share of it at most: noise, and what the plane leaves.
-constexpr double sameWhite = 0.13;
+// White beside the track differs from the light by this share of it at most, and by more where that differs from its
+// plane more, up to a bound.
+constexpr double sameWhite = 0.03;
+constexpr double sameWhiteOfScatter = 4.;
+constexpr double mostSameWhite = 0.15;
 // Grey levels of the track lie between black and white to this share of the contrast.
 constexpr double beyondBlackAndWhite = 0.35;
 // Blur, in radii, from which the three samples across the track see the same.
@@ -104,6 +107,10 @@ public:
                m_layout.codeInner + 0.5 * width,
                m_layout.codeInner + 0.3 * width,
                whiteOfCenter * m_layout.codeInner};
+    m_seen.plane = plane;
+    m_seen.directions = m_count;
+    m_seen.gap = m_radii[GAP];
+    m_seen.core = m_radii[TRACK_MIDDLE];
   }
 
   const SeenParts &getSeen() const { return m_seen; }
@@ -113,10 +120,6 @@ public:
   CodeTrack track()
   {
     fitLight();
-    m_seen.plane = m_plane;
-    m_seen.directions = m_count;
-    m_seen.gap = m_radii[GAP];
-    m_seen.core = m_radii[TRACK_MIDDLE];
     CodeTrack track;
     track.samples = m_count;
     for (unsigned int i = 0; i < m_count; ++i) {
@@ -212,6 +215,7 @@ private:
       direction.showsRing =
           outer > leastOuterStep && outer < 1. / leastOuterStep && stepTo(GAP, direction.black) > leastInnerStep;
       shown += direction.showsRing ? 1 : 0;
+      m_seen.ring[i] = direction.showsRing;
     }
     return static_cast<double>(shown) >= least * all;
   }
@@ -240,6 +244,17 @@ private:
     matrix(1, 1) += ridge * count;
     matrix(2, 2) += ridge * count;
     m_light = matrix.ldlt().solve(right);
+    std::array<double, mostSamples> differences;
+    std::size_t used = 0;
+    for (unsigned int i = 0; i < m_count; ++i) {
+      const Direction &direction = m_directions[i];
+      if (direction.showsRing) {
+        differences[used++] = std::abs(lightOutside(direction) / lightAt(direction, m_radii[OUTSIDE]) - 1.);
+      }
+    }
+    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(used / 2);
+    std::nth_element(differences.begin(), middle, differences.begin() + static_cast<std::ptrdiff_t>(used));
+    m_sameWhite = std::min(sameWhite + sameWhiteOfScatter * *middle, mostSameWhite);
   }
 
   double lightAt(const Direction &direction, double radius) const
@@ -250,7 +265,6 @@ private:
   // One sample of the track, and whether it is seen.
   void putSample(const Direction &direction, unsigned int i, CodeTrack &track)
   {
-    m_seen.ring[i] = direction.showsRing;
     track.grey[i] = 0.5;
     track.weight[i] = 0.;
     // Where the ring is seen it tells the light of this direction: that of a shadow, for instance.
@@ -261,8 +275,8 @@ private:
     };
     const auto isPaper = [&](Place place) {
       const double here = reflectance(place);
-      return here > 1. - m_ink * (1. - direction.black[place]) - sameWhite &&
-             here < 1. - m_ink * (1. - direction.white[place]) + sameWhite;
+      return here > 1. - m_ink * (1. - direction.black[place]) - m_sameWhite &&
+             here < 1. - m_ink * (1. - direction.white[place]) + m_sameWhite;
     };
     // Where there is paper in place of the ring, something as white as paper covers it, which ends nobody knows where.
     if (!(usual > 0.) || !isPaper(GAP) || (!direction.showsRing && reflectance(RING) > 1. - whiteCover)) {
@@ -292,6 +306,7 @@ private:
   std::array<double, places> m_radii;
   std::array<Direction, mostSamples> m_directions;
   SeenParts m_seen;
+  double m_sameWhite = 0.;                           // share of the light
   double m_ink = 0.;                                 // share of the light that black takes away
   Eigen::Vector3d m_light = Eigen::Vector3d::Zero(); // grey level on white paper: at the centre, and its slopes
 };
@@ -309,6 +324,13 @@ std::optional<CoveredReading> readCoveredSectors(const vpImage<unsigned char> &I
     return std::nullopt;
   }
   return CoveredReading{*sectors, look.getSeen()};
+}
+
+std::optional<SeenParts> findCoveredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                         const MarkerPlane &plane, const vpCircleMarkerFamily &family)
+{
+  Look look(I, camera, plane, family);
+  return look.findRing() ? std::optional<SeenParts>(look.getSeen()) : std::nullopt;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

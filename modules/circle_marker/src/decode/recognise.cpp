@@ -43,6 +43,9 @@ constexpr double leastSupport = 0.75;
 constexpr double sameRatio = 0.03;
 constexpr double sameRatioPixels = 0.8;
 
+// Of a covered marker fewer pixels are left to read: its semi-minor axis, pixels, is twice as large at least.
+constexpr double leastCoveredSemiMinor = 6.;
+
 // Turns the second pose so that its x axis has the image direction of the first pose's x axis.
 void copySpin(const MarkerPlane &from, MarkerPlane &to)
 {
@@ -59,6 +62,26 @@ bool isFarther(const Judged<CodeReading> &first, const Judged<CodeReading> &seco
   return second || (!first && second.reason() > first.reason());
 }
 
+// The marker of two readings, the first of which, by its number, is the better one.
+Recognition markerOf(const PosePair &poses, const vpCircleMarkerFamily &family,
+                     const std::array<Judged<CodeReading>, 2> &codes, std::size_t best)
+{
+  const std::size_t other = 1 - best;
+  Recognition result;
+  result.family = family;
+  result.code = *codes[best];
+  result.ringInner = family.getLayout().ringInner;
+  result.poses = poses;
+  result.poses[best].spin(codes[best]->spin);
+  if (codes[other] && codes[other]->id == codes[best]->id) {
+    result.poses[other].spin(codes[other]->spin);
+  }
+  else {
+    copySpin(result.poses[best], result.poses[other]);
+  }
+  return result;
+}
+
 Judged<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
                                   const vpCircleMarkerFamily &family, const DecodeSettings &settings,
                                   ReadingTrace *trace)
@@ -71,14 +94,6 @@ Judged<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraM
       codes[i] = identify(*sectors[i], family, settings);
     }
   }
-  std::array<std::optional<SeenParts>, 2> seen;
-  const bool isCovered = !codes[0] && !codes[1];
-  for (std::size_t i = 0; i < 2 && isCovered; ++i) {
-    if (const auto reading = readCoveredSectors(I, camera, poses[i], family)) {
-      codes[i] = identifyCovered(reading->sectors, family, settings);
-      seen[i] = reading->seen;
-    }
-  }
   const std::size_t best = isFarther(codes[0], codes[1]) ? 1 : 0;
   if (trace != nullptr) {
     *trace = {poses[best], sectors[best].seen(), codes[best].seen()};
@@ -86,21 +101,7 @@ Judged<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraM
   if (!codes[best]) {
     return codes[best].reason();
   }
-  const std::size_t other = 1 - best;
-  Recognition result;
-  result.family = family;
-  result.code = *codes[best];
-  result.seen = seen[best];
-  result.ringInner = family.getLayout().ringInner;
-  result.poses = poses;
-  result.poses[best].spin(codes[best]->spin);
-  if (codes[other] && codes[other]->id == codes[best]->id) {
-    result.poses[other].spin(codes[other]->spin);
-  }
-  else {
-    copySpin(result.poses[best], result.poses[other]);
-  }
-  return result;
+  return markerOf(poses, family, codes, best);
 }
 
 Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
@@ -153,6 +154,47 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
     return vpCircleMarkerReject::TOO_SMALL;
   }
   return recogniseCode(I, camera, poses, family, settings, trace);
+}
+
+std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                                const PosePair &poses, const EllipseCandidate &outline,
+                                                const vpCircleMarkerFamily &family)
+{
+  if (!family.isCoded() || outline.ellipse.b < leastCoveredSemiMinor) {
+    return std::nullopt;
+  }
+  std::optional<SeenParts> most;
+  for (const MarkerPlane &plane : poses) {
+    auto seen = findCoveredRing(I, camera, plane, family);
+    if (seen && (!most || seen->share() > most->share())) {
+      most = std::move(seen);
+    }
+  }
+  if (!most) {
+    return std::nullopt;
+  }
+  const double inner = family.getLayout().ringInner;
+  return Recognition{vpCircleMarkerFamily::ring(inner), CodeReading(), inner, poses, most};
+}
+
+Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
+                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings)
+{
+  std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_RING, vpCircleMarkerReject::NO_RING};
+  std::array<std::optional<SeenParts>, 2> seen;
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (const auto reading = readCoveredSectors(I, camera, poses[i], family)) {
+      codes[i] = identifyCovered(reading->sectors, family, settings);
+      seen[i] = reading->seen;
+    }
+  }
+  const std::size_t best = isFarther(codes[0], codes[1]) ? 1 : 0;
+  if (!codes[best]) {
+    return codes[best].reason();
+  }
+  Recognition result = markerOf(poses, family, codes, best);
+  result.seen = seen[best];
+  return result;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -59,6 +59,23 @@ struct ReadingTrace
 Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
                               const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
                               const DecodeSettings &settings, ReadingTrace *trace = nullptr);
+
+/*!
+  The ring of a marker of a family with a code, of which something covers a part: a plain ring with what is seen of it,
+  to be measured before its code is read. With an outline of which a part is missing the poses are not good enough to
+  tell what covers the code from the code itself.
+  \return Nothing if less than a third of the ring is seen.
+*/
+std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                                const PosePair &poses, const EllipseCandidate &outline,
+                                                const vpCircleMarkerFamily &family);
+
+/*!
+  Reads the code of such a marker.
+  \param poses : Both poses of its ring, measured.
+*/
+Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
+                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

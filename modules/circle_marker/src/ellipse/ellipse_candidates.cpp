@@ -30,6 +30,8 @@ namespace {
 constexpr double sameOutline = 0.1;
 // Shorter chains fix no ellipse.
 constexpr std::size_t fewestPoints = 8;
+// Marks of EllipseMemory::left for chains that are still to be cut: those that enclose something bright, too.
+constexpr std::uint8_t brightInside = 2;
 // No outline inside of the image is longer than the image's own: longer closed chains are something else.
 constexpr std::size_t longestOutline = 2;
 
@@ -209,7 +211,9 @@ struct Search
       return;
     }
     if (doubledPixelArea(chains, chain) <= 0) {
-      return refuse(bench, index, EllipseReject::BRIGHT_INSIDE);
+      // White paper between a ring and what covers the rest of it: the ring's edge is a piece of its outline.
+      left = brightInside;
+      return;
     }
     const std::size_t longest = longestOutline * (I.getWidth() + I.getHeight());
     if (chain.length() > longest) {
@@ -236,7 +240,8 @@ struct Search
       return refuse(bench, index, EllipseReject::TIMEOUT);
     }
     if (mostTurn(gradient, chains, chains.chains[index]) < leastArcTurn) {
-      return refuse(bench, index, EllipseReject::LITTLE_BEND);
+      return refuse(bench, index,
+                    memory.left[index] == brightInside ? EllipseReject::BRIGHT_INSIDE : EllipseReject::LITTLE_BEND);
     }
     bench.points.clear();
     locateChain(gradient, chains, chains.chains[index], bench.points, deadline);
