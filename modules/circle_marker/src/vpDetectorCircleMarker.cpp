@@ -208,12 +208,15 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
     ReadingTrace trace;
     Judged<Recognition> marker =
         recognise(visit.I, visit.camera, *poses, outline, family, settings.decode, keepsDebug ? &trace : nullptr);
+    if (!marker) {
+      Judged<Recognition> covered = readCovered(visit, outline, *poses, family, bench);
+      if (covered) {
+        marker = std::move(covered);
+      }
+    }
     if (keepsDebug) {
       examination.candidates.push_back(candidateOf(outline, family, marker.reason()));
       addReading(trace, family, visit.camera, examination.candidates.back());
-    }
-    if (!marker) {
-      marker = readCovered(visit, outline, *poses, family, bench);
     }
     if (marker) {
       examination.marker = std::move(*marker);

@@ -35,8 +35,8 @@ constexpr unsigned int phases = 8;
 constexpr double stepsApart = 2.5;
 // Weight that holds a sector to the mean of all: squared ratio of the noise (3 grey levels) to half the contrast (60).
 constexpr double regularisation = 0.0025;
-// The samples of a sector agree with its grey level to this share of the contrast; else something covers a part of it.
-constexpr double mostUneven = 0.2;
+// A sample agrees with its sector to this share of the contrast; else the edge of what covers a part of it lies there.
+constexpr double mostOdd = 0.25;
 // A sector's grey level is that of the others of its kind to this share of the contrast, and to more by this times the
 // blur in units of a sector; and that of ink or paper to twice as much.
 constexpr double mostOff = 0.06;
@@ -98,7 +98,7 @@ double solveSectors(const CodeTrack &track, unsigned int sectors, double phase, 
       }
     }
   }
-  normalMatrix.diagonal().array() += regularisation * samplesPerSector;
+  normalMatrix.diagonal().array() += regularisation * track.samples / sectors;
   greys = normalMatrix.ldlt().solve(right);
   double squares = 0.;
   for (unsigned int i = 0; i < track.samples; ++i) {
@@ -125,7 +125,7 @@ std::optional<unsigned int> likelyPhase(const CodeTrack &track, unsigned int sec
     // Where something covers the track, a step may be its own edge.
     const double step = std::min(track.weight[i], track.weight[next]) * (track.grey[next] - track.grey[i]);
     // The step lies between samples i and i + 1, which are half a sample after their numbers: at i + 1.
-    const double angle = 2. * M_PI * (i + 1) / samplesPerSector;
+    const double angle = 2. * M_PI * (i + 1) * sectors / track.samples;
     c += step * step * std::cos(angle);
     s += step * step * std::sin(angle);
     pixelAngle += track.blur[i] / (trackBlur * track.samples);
@@ -238,21 +238,19 @@ bool tellSectors(const CodeTrack &track, const Solution &solution, SectorReading
   return true;
 }
 
-// Sectors that are not the same from one side to the other: something covers a part of them.
-void dropUnevenSectors(const CodeTrack &track, const Solution &solution, SectorReading &reading)
+// Samples that do not agree with their sector, where the edge of what covers it lies, are left out.
+void dropOddSamples(CodeTrack &track, SectorReading &reading, Solution &solution)
 {
-  std::array<double, mostSectors> squares{};
-  std::array<double, mostSectors> weights{};
-  for (unsigned int i = 0; i < track.samples; ++i) {
-    const std::size_t sector = sectorAt(track, i, reading.phase, reading.sectors);
-    squares[sector] += track.weight[i] * solution.residuals[i] * solution.residuals[i];
-    weights[sector] += track.weight[i];
-  }
-  for (unsigned int k = 0; k < reading.sectors; ++k) {
-    if (squares[k] > mostUneven * mostUneven * weights[k]) {
-      reading.seen[k] = 0.;
+  constexpr int rounds = 2; // an odd sample moves the grey level that it is judged by
+  for (int round = 0; round < rounds; ++round) {
+    for (unsigned int i = 0; i < track.samples; ++i) {
+      if (std::abs(solution.residuals[i]) > mostOdd) {
+        track.weight[i] = 0.;
+      }
     }
+    solution.squares = solveSectors(track, reading.sectors, reading.phase, solution.greys, solution.residuals);
   }
+  findSeen(track, reading.phase, reading);
 }
 
 // Median grey level of the black or white sectors that are wholly seen, or of all that are if these are few.
@@ -307,12 +305,12 @@ std::optional<SectorReading> solveTrack(const CodeTrack &track, unsigned int sec
   return tellSectors(track, solution, reading) ? std::optional<SectorReading>(reading) : std::nullopt;
 }
 
-std::optional<SectorReading> solveCoveredTrack(const CodeTrack &track, unsigned int sectors)
+std::optional<SectorReading> solveCoveredTrack(CodeTrack track, unsigned int sectors)
 {
   SectorReading reading;
   reading.sectors = sectors;
-  const Solution solution = solveAllPhases(track, reading);
-  dropUnevenSectors(track, solution, reading);
+  Solution solution = solveAllPhases(track, reading);
+  dropOddSamples(track, reading, solution);
   dropGreySectors(track, solution, reading);
   if (!tellSectors(track, solution, reading)) {
     return std::nullopt;

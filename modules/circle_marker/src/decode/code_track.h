@@ -27,14 +27,17 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*! Most sectors of a code track. */
 constexpr unsigned int mostSectors = 31;
-/*! Samples of the track for each sector: at 40 pixels outer diameter one a pixel, and smaller markers have no more to
-    tell. */
+/*!
+  Samples of the track for each sector: at 40 pixels outer diameter one a pixel, and smaller markers have no more to
+  tell. Where something covers a part of a sector, twice as many.
+*/
 constexpr unsigned int samplesPerSector = 4;
-constexpr unsigned int mostSamples = samplesPerSector * mostSectors;
+constexpr unsigned int coveredSamplesPerSector = 8;
+constexpr unsigned int mostSamples = coveredSamplesPerSector * mostSectors;
 /*! Blur assumed between the print and an interpolated sample, pixels: lens 0.7, pixel area 0.29, interpolation 0.4. */
 constexpr double trackBlur = 0.85;
 /*! A sector counts as seen if this share of its samples is. */
-constexpr double leastSeen = 0.4;
+constexpr double leastSeen = 0.25;
 
 /*! Samples along a code track. */
 struct CodeTrack
@@ -65,10 +68,10 @@ struct SectorReading
 std::optional<SectorReading> solveTrack(const CodeTrack &track, unsigned int sectors);
 
 /*!
-  The same for a track that something covers in part: sectors that are neither black nor white, or not the same from one
-  side to the other, are not seen.
+  The same for a track that something covers in part: samples that do not agree with those beside them, and sectors that
+  are neither black nor white, are not seen.
 */
-std::optional<SectorReading> solveCoveredTrack(const CodeTrack &track, unsigned int sectors);
+std::optional<SectorReading> solveCoveredTrack(CodeTrack track, unsigned int sectors);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -61,8 +61,8 @@ constexpr double whiteOfQuietZone = 0.6;
 constexpr double whiteOfCenter = 0.75;
 // Holds the slope of the light to none where the directions that are seen do not fix it: share of their number.
 constexpr double ridge = 0.02;
-// Every fourth direction is asked first whether there is a ring at all.
-constexpr unsigned int firstStride = 4;
+// Every eighth direction is asked first whether there is a ring at all.
+constexpr unsigned int firstStride = 8;
 constexpr double leastRingAtFirst = 0.25;
 
 /*! Radii at which each direction is looked at, from the outside. */
@@ -97,7 +97,7 @@ public:
   Look(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
        const vpCircleMarkerFamily &family)
       : m_image(I), m_camera(camera), m_plane(plane), m_layout(family.getLayout()),
-        m_count(samplesPerSector * family.getNbSectors())
+        m_count(coveredSamplesPerSector * family.getNbSectors())
   {
     const double width = m_layout.codeOuter - m_layout.codeInner;
     m_radii = {1. + whiteOfQuietZone * m_layout.quietZone,
