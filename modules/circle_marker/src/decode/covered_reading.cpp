@@ -325,12 +325,5 @@ std::optional<CoveredReading> readCoveredSectors(const vpImage<unsigned char> &I
   }
   return CoveredReading{*sectors, look.getSeen()};
 }
-
-std::optional<SeenParts> findCoveredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                         const MarkerPlane &plane, const vpCircleMarkerFamily &family)
-{
-  Look look(I, camera, plane, family);
-  return look.findRing() ? std::optional<SeenParts>(look.getSeen()) : std::nullopt;
-}
 } // namespace circle_marker
 END_VISP_NAMESPACE

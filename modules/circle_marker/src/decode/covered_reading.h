@@ -48,10 +48,6 @@ struct CoveredReading
 */
 std::optional<CoveredReading> readCoveredSectors(const vpImage<unsigned char> &I, const CameraModel &camera,
                                                  const MarkerPlane &plane, const vpCircleMarkerFamily &family);
-
-/*! The parts of a marker's ring that are seen; nothing if less than a third is. The code track is not looked at. */
-std::optional<SeenParts> findCoveredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                         const MarkerPlane &plane, const vpCircleMarkerFamily &family);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -163,11 +163,14 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   if (!family.isCoded() || outline.ellipse.b < leastCoveredSemiMinor) {
     return std::nullopt;
   }
+  // A plain ring has no black and white sectors: it is not worth the measuring.
   std::optional<SeenParts> most;
   for (const MarkerPlane &plane : poses) {
-    auto seen = findCoveredRing(I, camera, plane, family);
-    if (seen && (!most || seen->share() > most->share())) {
-      most = std::move(seen);
+    auto reading = readCoveredSectors(I, camera, plane, family);
+    if (reading && (!most || reading->seen.share() > most->share())) {
+      most = reading->seen;
+      most->track.reset();
+      most->center.reset();
     }
   }
   if (!most) {
