@@ -46,6 +46,20 @@ constexpr double sameRatioPixels = 0.8;
 // Of a covered marker fewer pixels are left to read: its semi-minor axis, pixels, is twice as large at least.
 constexpr double leastCoveredSemiMinor = 6.;
 
+// Whether enough of the sectors are seen, black and white, that measuring the ring is worth while.
+bool looksLikeCode(const SectorReading &reading)
+{
+  constexpr double leastShare = 0.4; // of the sectors: fewer than this hold no message
+  constexpr double leastContrast = 0.4;
+  constexpr double mostOffMiddle = 0.25;
+  unsigned int seen = 0;
+  for (unsigned int k = 0; k < reading.sectors; ++k) {
+    seen += reading.seen[k] >= leastSeen ? 1 : 0;
+  }
+  return seen >= leastShare * reading.sectors && reading.contrast >= leastContrast &&
+         std::abs(reading.middle - 0.5) <= mostOffMiddle;
+}
+
 // Turns the second pose so that its x axis has the image direction of the first pose's x axis.
 void copySpin(const MarkerPlane &from, MarkerPlane &to)
 {
@@ -167,7 +181,7 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   std::optional<SeenParts> most;
   for (const MarkerPlane &plane : poses) {
     auto reading = readCoveredSectors(I, camera, plane, family);
-    if (reading && (!most || reading->seen.share() > most->share())) {
+    if (reading && looksLikeCode(reading->sectors) && (!most || reading->seen.share() > most->share())) {
       most = reading->seen;
       most->track.reset();
       most->center.reset();
