@@ -41,7 +41,10 @@ bool errorIsTerminal()
 }
 } // namespace
 
-ProgressLine::ProgressLine() : m_isTerminal(errorIsTerminal()), m_start(Clock::now()), m_last(m_start) {}
+ProgressLine::ProgressLine(const std::string &items)
+    : m_items(items), m_isTerminal(errorIsTerminal()), m_start(Clock::now()), m_last(m_start)
+{
+}
 
 ProgressLine::~ProgressLine()
 {
@@ -59,7 +62,7 @@ void ProgressLine::show(std::size_t done, std::size_t all)
   m_last = now;
   const double passed = std::chrono::duration<double>(now - m_start).count();
   const double left = passed * static_cast<double>(all - done) / static_cast<double>(done);
-  std::cerr << (m_isTerminal ? emptyLine : "") << done << " of " << all << " frames, " << static_cast<long>(left + 0.5)
-            << " s left" << (m_isTerminal ? "" : "\n") << std::flush;
+  std::cerr << (m_isTerminal ? emptyLine : "") << done << " of " << all << " " << m_items << ", "
+            << static_cast<long>(left + 0.5) << " s left" << (m_isTerminal ? "" : "\n") << std::flush;
 }
 } // namespace common

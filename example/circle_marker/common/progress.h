@@ -20,13 +20,15 @@
 
 #include <chrono>
 #include <cstddef>
+#include <string>
 
 namespace common {
 /*! A line of the standard error that is rewritten on a terminal; elsewhere a new line every half minute. */
 class ProgressLine
 {
 public:
-  ProgressLine();
+  /*! \param items : What is counted, such as "frames". */
+  explicit ProgressLine(const std::string &items = "frames");
   ProgressLine(const ProgressLine &) = delete;
   ProgressLine &operator=(const ProgressLine &) = delete;
   ~ProgressLine();
@@ -37,6 +39,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  std::string m_items;       //!< What is counted.
   bool m_isTerminal;         //!< Whether anybody reads it.
   Clock::time_point m_start; //!< When the work began.
   Clock::time_point m_last;  //!< When the line was last written.
