@@ -19,7 +19,7 @@
 
 # act_in_window.sh <folder of the server's picture> <title> <action>... -- <program> <argument>...
 # Actions: wait:SECONDS, key:NAME, click:BUTTON, shot:NAME (copies the screen to NAME.xwd), need:FILE (waits until the file
-# is there, 20 s at most). Keys and buttons are those of the X server, as from a keyboard and a mouse; without a window
+# is there, 20 s at most), drag:BUTTON,U,V (by so many pixels). Keys and buttons are those of the X server, as from a keyboard and a mouse; without a window
 # manager the keys go to the window under the pointer. Ends as the program does.
 set -u
 picture=$1/Xvfb_screen0
@@ -46,6 +46,15 @@ for action in "${actions[@]}"; do
   case $action in
     wait:*) sleep "$value" ;;
     key:*) xdotool key "$value" ;;
+    drag:*) # BUTTON,U,V: from 300, 200 by so many pixels, in steps as a hand makes them
+      IFS=, read -r button du dv <<< "$value"
+      xdotool mousemove --window "$window" 300 200 mousedown "$button"
+      for ((i = 1; i <= 8; i++)); do
+        sleep 0.1
+        xdotool mousemove --window "$window" $((300 + du * i / 8)) $((200 + dv * i / 8))
+      done
+      sleep 0.2
+      xdotool mouseup "$button" mousemove --window "$window" 60 60 ;;
     click:*) xdotool mousemove --window "$window" 60 60 click "$value" ;;
     shot:*) cp "$picture" "$value.xwd" ;;
     need:*) for ((i = 0; i < 100; i++)); do [[ -e $value ]] && break; sleep 0.2; done ;;
