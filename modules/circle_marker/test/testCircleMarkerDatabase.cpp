@@ -18,6 +18,7 @@
 #include "testRoomTools.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <regex>
 
@@ -199,6 +200,29 @@ TEST(CircleMarkerDatabase, RefusesOtherFiles)
   EXPECT_EQ(complaintAbout("{\"markers\": []}"), "");
   EXPECT_THROW(vpCircleMarkerDatabase().load("there-is-no-such-file.json"), vpException);
   EXPECT_THROW(vpCircleMarkerDatabase().save("there-is-no-such-folder/file.json"), vpException);
+}
+
+TEST(CircleMarkerDatabase, LinksAndDevicesStayWhatTheyAre)
+{
+  namespace fs = std::filesystem;
+  TestFile file;
+  file.write("{}");
+  const std::string link = file.name() + ".link";
+  fs::remove(link);
+  fs::create_symlink(file.name(), link);
+  vpCircleMarkerDatabase database;
+  database.add(entryOf(vpCircleMarkerFamily::GOLAY23, 5));
+  database.save(link);
+  EXPECT_TRUE(fs::is_symlink(link));
+  vpCircleMarkerDatabase again;
+  again.load(file.name());
+  EXPECT_EQ(again.getEntries().size(), 1u);
+  fs::remove(link);
+  fs::create_symlink("/dev/null", link);
+  database.save(link);
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  fs::remove(link);
 }
 
 TEST(CircleMarkerDatabase, AFileThatCannotBeUsedChangesNothing)

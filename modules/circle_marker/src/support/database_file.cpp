@@ -24,10 +24,11 @@
 
 #include "support/marker_size.h"
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
-#include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <system_error>
 
 #include "support/json_lines.h"
 #endif
@@ -224,12 +225,26 @@ void writeDatabase(const std::string &filename, const vpCircleMarkerDatabase &da
     text += (text.back() == '[' ? "\n    " : ",\n    ") + written(entry).dump();
   }
   text += "\n  ]\n}\n";
-  const std::string temporary = filename + ".tmp";
-  std::ofstream file(temporary, std::ios::binary);
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(filename, error); // through links, to replace what they point to
+  // What is no ordinary file, such as /dev/stdout, is written directly.
+  const bool isDirect = error || (fs::exists(filename, error) && !fs::is_regular_file(filename, error));
+  const fs::path place = isDirect ? fs::path(filename) : fs::path(target.string() + ".tmp");
+  std::ofstream file(place, std::ios::binary);
   file << text;
   file.close();
-  if (!file || std::rename(temporary.c_str(), filename.c_str()) != 0) {
-    std::remove(temporary.c_str());
+  bool isWritten = static_cast<bool>(file);
+  if (!isDirect) {
+    if (isWritten) {
+      fs::rename(place, target, error);
+      isWritten = !error;
+    }
+    if (!isWritten) {
+      fs::remove(place, error);
+    }
+  }
+  if (!isWritten) {
     throw vpException(vpException::ioError,
                       "cannot write the marker database \"%s\"; is its folder there and writable?", filename.c_str());
   }
