@@ -77,8 +77,8 @@ ImageResult detectMarkers(vpDetectorCircleMarker &detector, const Frame &frame, 
   if (const double latency = unixSeconds() - frame.time.value_or(HUGE_VAL); latency >= 0.) {
     timing.latencyMilliseconds = 1e3 * latency;
   }
-  return ImageResult{frame.name,  frame.image.getWidth(),   frame.image.getHeight(),
-                     end - start, detector.getDetections(), timing};
+  return ImageResult{frame.name, frame.image.getWidth(), frame.image.getHeight(), end - start, detector.getDetections(),
+                     timing,     detector.getDatabase()};
 }
 //! [Detection]
 

@@ -63,8 +63,9 @@ ImageResult detectMarkers(vpDetectorCircleMarker &detector, const SourceImage &s
   const double start = processorMilliseconds();
   detector.detect(*source.image, size, cam, cMo);
   const double end = processorMilliseconds();
-  return ImageResult{source.name, source.image->getWidth(), source.image->getHeight(),
-                     end - start, detector.getDetections(), std::nullopt};
+  return ImageResult{source.name,           source.image->getWidth(), source.image->getHeight(),
+                     end - start,           detector.getDetections(), std::nullopt,
+                     detector.getDatabase()};
 }
 //! [Detection]
 

@@ -37,6 +37,7 @@
 #include "../common/servo/feed_eyes.h"
 #include "../common/servo/live_view.h"
 #include "../common/servo/servo_loop.h"
+#include "../common/servo/servo_progress.h"
 #include "../common/servo/servo_report.h"
 #include "../common/visp_names.h"
 #include "user-robot/user_robot.h"
@@ -163,13 +164,20 @@ ServoRecord run(const Order &order, const ServoGoal &goal, ServoEyes &eyes, vpRo
                        "), and without a window nothing starts by a click; --display-off starts at once");
     }
   }
-  const ServoRecord record =
-      runServo(eyes, robot, goal, [&view](const vpImage<unsigned char> &I, const ServoStep &step) {
-        if (isInterrupted != 0) {
-          return ServoWish::Quit;
-        }
-        return view ? view->show(I, step) : ServoWish::Go;
-      });
+  std::optional<ServoProgress> progress;
+  if (!view) {
+    progress.emplace(goal);
+  }
+  const ServoRecord record = runServo(eyes, robot, goal, [&](const vpImage<unsigned char> &I, const ServoStep &step) {
+    if (isInterrupted != 0) {
+      return ServoWish::Quit;
+    }
+    if (progress) {
+      progress->show(step);
+    }
+    return view ? view->show(I, step) : ServoWish::Go;
+  });
+  progress.reset();
   const bool quitByUser = isInterrupted != 0 || record.reason.find("click") != std::string::npos;
   if (view && !quitByUser) {
     view->showEnd(record);

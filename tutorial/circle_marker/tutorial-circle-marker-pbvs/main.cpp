@@ -33,6 +33,7 @@
 #include "../common/camera_file.h"
 #include "../common/servo/live_view.h"
 #include "../common/servo/servo_loop.h"
+#include "../common/servo/servo_progress.h"
 #include "../common/servo/servo_report.h"
 #include "../common/servo/servo_scene.h"
 #include "../common/visp_names.h"
@@ -96,6 +97,15 @@ ServoRecord runSimulated(const ServoProblem &problem, const Observer &observer)
   return runServo(eyes, robot, goal, observer);
 }
 
+ServoRecord runWithoutDisplay(const ServoProblem &problem)
+{
+  ServoProgress progress(problem.goal);
+  return runSimulated(problem, [&progress](const vpImage<unsigned char> &, const ServoStep &step) {
+    progress.show(step);
+    return ServoWish::Go;
+  });
+}
+
 ServoRecord runWithDisplay(const ServoProblem &problem)
 {
   std::optional<LiveView> view;
@@ -105,7 +115,7 @@ ServoRecord runWithDisplay(const ServoProblem &problem)
   catch (const vpException &e) {
     complain(std::string("no window can be opened (") + e.what() +
              "); going on without, --display-off does so silently");
-    return runSimulated(problem, Observer());
+    return runWithoutDisplay(problem);
   }
   const ServoRecord record = runSimulated(
       problem, [&view](const vpImage<unsigned char> &I, const ServoStep &step) { return view->show(I, step); });
@@ -164,7 +174,7 @@ bool carryOut(const Order &order)
   double worstDistance = 0., worstAngle = 0.;
   for (unsigned int run = 0; run < order.runs; ++run) {
     const ServoProblem problem = makeProblem(order, run);
-    const ServoRecord record = order.display ? runWithDisplay(problem) : runSimulated(problem, Observer());
+    const ServoRecord record = order.display ? runWithDisplay(problem) : runWithoutDisplay(problem);
     printRun(problem, record);
     table += runLine(problem, record);
     converged += record.converged ? 1 : 0;

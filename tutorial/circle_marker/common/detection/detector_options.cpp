@@ -90,6 +90,8 @@ void DetectorOptions::addTo(CLI::App &app)
   app.add_option("--ratio", ratio, "Inner over outer radius of the family ring");
   app.add_option("--hamming", hamming, "Most sectors of a code that are corrected")->check(CLI::Range(0U, 5U));
   app.add_option("--config", configFile, "Settings of vpDetectorCircleMarker, JSON; other options go before it");
+  app.add_option("--database", databaseFile,
+                 "What is known of the markers (sizes, names, payloads): JSON of vpCircleMarkerDatabase");
   app.add_option("--nthreads", threads, "Number of threads")->check(CLI::Range(1U, 1024U));
   app.add_option("--tracking", tracking,
                  "Follows markers from image to image: only every N-th is searched whole, or when a marker is lost")
@@ -102,6 +104,7 @@ DetectorSettings DetectorOptions::settings() const
   result.size = checkedSize(size, "--size");
   result.sizes = sizesOf(sizes);
   result.configFile = configFile;
+  result.databaseFile = databaseFile;
   result.hamming = hamming;
   result.threads = threads;
   result.tracking = tracking;
@@ -128,6 +131,11 @@ vpDetectorCircleMarker makeDetector(const DetectorSettings &settings)
   }
   if (!settings.sizes.empty()) {
     detector.setMarkerSizes(settings.sizes);
+  }
+  if (!settings.databaseFile.empty()) {
+    vpCircleMarkerDatabase database;
+    database.load(settings.databaseFile);
+    detector.setDatabase(database);
   }
   if (settings.hamming) {
     detector.setMaximumHammingDistance(*settings.hamming);

@@ -36,6 +36,7 @@ struct DetectorSettings
 {
   double size = 0.;                           //!< Outer diameter of the ring, metres.
   std::map<int, double> sizes;                //!< Diameters of single markers, metres, by id.
+  std::string databaseFile;                   //!< What is known of the markers; empty: nothing.
   std::string configFile;                     //!< Settings of the detector; empty: none.
   std::vector<vpCircleMarkerFamily> families; //!< Families to look for; empty: those of the settings.
   std::optional<unsigned int> hamming;        //!< Most sectors to be corrected.
@@ -51,6 +52,7 @@ struct DetectorOptions
   std::string families;
   std::optional<double> ratio;
   std::string configFile;
+  std::string databaseFile;
   std::optional<unsigned int> hamming;
   std::optional<unsigned int> threads;
   std::optional<unsigned int> tracking;

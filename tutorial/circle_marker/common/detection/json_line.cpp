@@ -41,7 +41,7 @@ Json elementsOf(const vpArray2D<double> &matrix)
   return elements;
 }
 
-Json markerOf(const vpCircleMarkerDetection &detection)
+Json markerOf(const vpCircleMarkerDetection &detection, const vpCircleMarkerEntry *entry)
 {
   const vpImageEllipse &ellipse = detection.ellipse;
   const bool hasLogOdds = detection.hasSecondPose && std::isfinite(detection.logOdds);
@@ -60,6 +60,12 @@ Json markerOf(const vpCircleMarkerDetection &detection)
   marker["log_odds"] = hasLogOdds ? Json(detection.logOdds) : Json();
   marker["covariance"] = elementsOf(detection.covariance);
   marker["visible"] = detection.visible;
+  if (entry != nullptr && !entry->name.empty()) {
+    marker["name"] = entry->name;
+  }
+  if (entry != nullptr && !entry->payload.empty()) {
+    marker["payload"] = entry->isPayloadJson ? Json::parse(entry->payload) : Json(entry->payload);
+  }
   return marker;
 }
 } // namespace
@@ -79,7 +85,7 @@ std::string jsonLine(const ImageResult &result)
   }
   line["markers"] = Json::array();
   for (const vpCircleMarkerDetection &detection : result.detections) {
-    line["markers"].push_back(markerOf(detection));
+    line["markers"].push_back(markerOf(detection, result.database.find(detection.family, detection.id)));
   }
   // File names need not be UTF-8.
   return line.dump(-1, ' ', false, Json::error_handler_t::replace);

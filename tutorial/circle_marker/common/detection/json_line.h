@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include <visp3/circle_marker/vpCircleMarkerDatabase.h>
 #include <visp3/circle_marker/vpCircleMarkerDetection.h>
 
 #include "../visp_names.h"
@@ -44,12 +45,14 @@ struct ImageResult
   double cpuMilliseconds = 0.;                     //!< Time of the process for detection and pose.
   std::vector<vpCircleMarkerDetection> detections; //!< What was found, z into the markers.
   std::optional<LiveTiming> live;                  //!< When it was, if a camera took the image.
+  vpCircleMarkerDatabase database;                 //!< What is known of the markers.
 };
 
 /*!
   \return One line of JSON, without the end of line. Angles are in radians, lengths in metres, image lengths in pixels,
   matrices row by row. JSON has no infinity: "log_odds" is null where "cMo2" is.
-  A camera's images have "time_s", "latency_ms" (null where it is not known) and "missed" as well.
+  Markers of the database have "name" and "payload" as well, structured data as they are; a camera's images have
+  "time_s", "latency_ms" (null where it is not known) and "missed" as well.
 */
 std::string jsonLine(const ImageResult &result);
 } // namespace tutorial
