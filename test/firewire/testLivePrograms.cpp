@@ -22,6 +22,9 @@
 
 #include <gtest/gtest.h>
 #include <opencv2/imgcodecs.hpp>
+#ifdef HAVE_VIDEOIO
+#include <opencv2/videoio.hpp>
+#endif
 
 #include "live_run.h"
 
@@ -92,6 +95,55 @@ TEST(LivePrograms, OpenCvReadsWhatItIsGiven)
   ASSERT_EQ(lines[1]["markers"].size(), 1U);
   EXPECT_EQ(lines[1]["markers"][0]["id"], 5);
 }
+
+#ifdef HAVE_VIDEOIO
+namespace {
+/*! The reference picture three times as a video; false: this OpenCV writes none. */
+bool writeVideo(const fs::path &file)
+{
+  const cv::Mat picture = cv::imread(referencePicture);
+  cv::VideoWriter writer(file.string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 15., picture.size());
+  for (int i = 0; i < 3 && writer.isOpened(); ++i) {
+    writer.write(picture);
+  }
+  return writer.isOpened();
+}
+} // namespace
+
+TEST(LivePrograms, OpenCvReadsVideosToTheirEnd)
+{
+  const fs::path folder = test::emptyFolder();
+  if (!writeVideo(folder / "video.avi")) {
+    GTEST_SKIP() << "OpenCV writes no video here";
+  }
+  const test::Outcome outcome = runLive({"--source", "opencv:video.avi"}, folder);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Json> lines = test::linesOf(outcome.out);
+  ASSERT_EQ(lines.size(), 3U);
+  ASSERT_EQ(lines[2]["markers"].size(), 1U);
+  EXPECT_EQ(lines[2]["markers"][0]["id"], 5);
+  EXPECT_TRUE(lines[2]["latency_ms"].is_null()) << "nobody knows when it was taken";
+}
+
+TEST(LivePrograms, OpenCvStreamsAreLiveAndTheirEndIsAFailure)
+{
+  const fs::path folder = test::emptyFolder();
+  if (!writeVideo(folder / "video.avi")) {
+    GTEST_SKIP() << "OpenCV writes no video here";
+  }
+  const std::string address = "opencv:file://" + (folder / "video.avi").string();
+  const test::Outcome outcome = runLive({"--source", address, "--all-images"}, folder);
+  if (isSaid(outcome.err, "OpenCV cannot open the camera")) {
+    GTEST_SKIP() << "this OpenCV opens no addresses";
+  }
+  // A camera's images do not end.
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_TRUE(isSaid(outcome.err, "delivers no images")) << outcome.err;
+  const std::vector<Json> lines = test::linesOf(outcome.out);
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_TRUE(lines[0]["latency_ms"].is_number());
+}
+#endif
 
 TEST(LivePrograms, CamerasThatAreNotThere)
 {
