@@ -218,6 +218,65 @@ TEST(DetectorProgram, UnreadableImageOfASequenceIsSkipped)
   EXPECT_EQ(overlay.size(), cv::Size(640, 480));
 }
 
+TEST(DetectorProgram, DebugWritesAPictureForEachRoom)
+{
+  const fs::path folder = test::emptyFolder();
+  fs::create_directory(folder / "rooms");
+  const test::Outcome outcome =
+      test::run(DETECTOR_PROGRAM, wide(widePicture, {"--json", "out.jsonl", "--debug", "rooms"}), folder);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<std::string> files = {"0000-1-segment-half.png", "0000-1-segment.png",  "0000-2-edges-half.png",
+                                          "0000-2-edges.png",        "0000-3-ellipses.png", "0000-4-decode.png",
+                                          "0000-5-poses.png",        "0000-candidates.csv"};
+  EXPECT_EQ(test::filesIn(folder / "rooms"), files);
+  const cv::Mat original = cv::imread(widePicture, cv::IMREAD_GRAYSCALE);
+  for (const std::string &file : files) {
+    if (file.find(".png") != std::string::npos) {
+      const cv::Mat picture = cv::imread((folder / "rooms" / file).string());
+      ASSERT_EQ(picture.size(), original.size()) << file;
+      cv::Mat channels[3];
+      cv::split(picture, channels);
+      EXPECT_GT(cv::countNonZero(channels[0] != channels[2]), 100) << file << " has nothing drawn";
+    }
+  }
+  // Every line but those of the markers has a reason.
+  std::istringstream table(test::contentOf(folder / "rooms" / "0000-candidates.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_EQ(line, "reason,family,u,v,semi_axis_a,semi_axis_b,angle,points,id,hamming,margin");
+  std::size_t markers = 0, others = 0;
+  while (std::getline(table, line)) {
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 10) << line;
+    (line.rfind("none,golay23,", 0) == 0 ? markers : others) += 1;
+  }
+  EXPECT_EQ(markers, 2U);
+  EXPECT_GT(others, 2U);
+  EXPECT_EQ(test::run(DETECTOR_PROGRAM, wide(widePicture, {"--debug", "no-such-folder"}), folder).status, 2);
+}
+
+TEST(DetectorProgram, TrackingFindsTheSame)
+{
+  const fs::path folder = test::emptyFolder();
+  for (int i = 0; i < 6; ++i) {
+    fs::copy_file(widePicture, folder / ("img" + std::to_string(i) + ".png"));
+  }
+  const test::Outcome outcome = test::run(DETECTOR_PROGRAM, wide("img%d.png", {"--tracking", "4"}), folder);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Json> lines = linesOf(outcome.out);
+  ASSERT_EQ(lines.size(), 6U);
+  for (const Json &line : lines) {
+    ASSERT_EQ(line["markers"].size(), 2U);
+    for (const std::size_t i : {0U, 1U}) {
+      EXPECT_EQ(line["markers"][i]["id"], lines[0]["markers"][i]["id"]);
+      for (const int axis : {0, 1}) {
+        EXPECT_NEAR(line["markers"][i]["center"][axis].get<double>(),
+                    lines[0]["markers"][i]["center"][axis].get<double>(), 1e-3);
+      }
+    }
+  }
+  EXPECT_EQ(test::run(DETECTOR_PROGRAM, wide("img%d.png", {"--tracking", "0"}), folder).status, 2);
+}
+
 TEST(DetectorProgram, FirstAndLastAskForEveryNumberBetween)
 {
   const fs::path folder = test::emptyFolder();

@@ -58,6 +58,17 @@ Peer circleMarker(unsigned int threads, bool refine)
           [detector, poses](const Scene &scene) { detector->detect(scene.image, markerSize, scene.camera, *poses); }};
 }
 
+Peer trackingCircleMarker(bool refine)
+{
+  const auto detector = std::make_shared<vpDetectorCircleMarker>(vpCircleMarkerFamily::GOLAY23);
+  constexpr unsigned int longest = 1000000; // frames between searches of the whole: none but the first is measured
+  detector->setTracking(true, longest);
+  detector->setRefinePose(refine);
+  const auto poses = std::make_shared<std::vector<vpHomogeneousMatrix>>();
+  return {refine ? "circle-marker-tracking" : "circle-marker-tracking-unrefined",
+          [detector, poses](const Scene &scene) { detector->detect(scene.image, markerSize, scene.camera, *poses); }};
+}
+
 std::vector<Peer> peers()
 {
   std::vector<Peer> all;

@@ -35,6 +35,12 @@ struct Peer
 /*! This project's detector for golay23. */
 Peer circleMarker(unsigned int threads = 1, bool refine = true);
 
+/*!
+  The same, following its markers from frame to frame; one that is looked at again and again stays where it is, so that
+  only regions are searched.
+*/
+Peer trackingCircleMarker(bool refine);
+
 /*! The others that this machine has: AprilTag at decimations 1 and 2 (one thread), adaptive threshold, Canny. */
 std::vector<Peer> peers();
 } // namespace bench

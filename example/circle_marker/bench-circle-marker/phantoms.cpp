@@ -33,6 +33,7 @@
 #include <visp3/core/vpMath.h>
 #include <visp3/io/vpImageIo.h>
 
+#include "other_systems.h"
 #include "scenes.h"
 
 namespace bench {
@@ -68,7 +69,13 @@ double upperBound(unsigned int events, unsigned int trials)
 std::pair<std::string, vpImage<unsigned char>> imageWithoutMarkers(unsigned int index)
 {
   const std::vector<std::string> hard = hardImages();
-  // Three of four images are clutter, with noise from 0 to 12 grey levels; the others take turns.
+  // Half of the images are clutter, with noise from 0 to 12 grey levels; a quarter has other systems' signs, a quarter
+  // is hard; in turn.
+  if (index % 4 == 2) {
+    static const std::vector<std::string> systems = otherSystems();
+    const std::string &name = systems[(index / 4) % systems.size()];
+    return {name, otherSystemsImage(name, width, height, 70000 + index)};
+  }
   if (index % 4 != 3) {
     SceneOptions options;
     options.width = width;
@@ -82,6 +89,7 @@ std::pair<std::string, vpImage<unsigned char>> imageWithoutMarkers(unsigned int 
   const std::string &name = hard[(index / 4) % hard.size()];
   return {name, makeHardImage(name, width, height, index)};
 }
+
 void write(std::ostream &out, const std::map<std::string, Count> &counts)
 {
   out << "| images | number | coded markers found | upper bound per image at 95 % | rings found |\n"

@@ -89,6 +89,15 @@ void registerWholeFrames()
     add(peer, "plain-noise-free", sceneMaker(clean));
     add(peer, "clutter-noise-free", sceneMaker(cleanClutter));
   }
+  for (const double diameter : {30., 100., 200.}) {
+    SceneOptions options;
+    options.leastDiameter = diameter;
+    options.greatestDiameter = diameter;
+    options.mostTilt = 0.6;
+    for (const bool refine : {false, true}) {
+      add(trackingCircleMarker(refine), std::to_string(static_cast<int>(diameter)) + "-pixels", sceneMaker(options));
+    }
+  }
   struct Size
   {
     unsigned int width, height;

@@ -50,13 +50,15 @@ void computeGradient(const vpImage<unsigned char> &I, NoiseSource noise, Workers
 // Every pixel of the half is the mean of four; an odd last row or column is left out.
 void halve(const vpImage<unsigned char> &I, vpImage<unsigned char> &half)
 {
-  half.resize(I.getHeight() / 2, I.getWidth() / 2);
-  for (unsigned int y = 0; y < half.getHeight(); ++y) {
+  const unsigned int width = I.getWidth() / 2; // a number of its own: what is written might be the image's otherwise
+  const unsigned int height = I.getHeight() / 2;
+  half.resize(height, width);
+  for (unsigned int y = 0; y < height; ++y) {
     const unsigned char *above = I[2 * y];
     const unsigned char *below = I[2 * y + 1];
     unsigned char *out = half[y];
     // Two pixels are read as one number of 16 bits: so compilers make vector instructions of it.
-    for (unsigned int x = 0; x < half.getWidth(); ++x) {
+    for (unsigned int x = 0; x < width; ++x) {
       std::uint16_t upper;
       std::uint16_t lower;
       std::memcpy(&upper, above + 2 * x, sizeof(upper));

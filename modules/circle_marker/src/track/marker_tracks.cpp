@@ -30,6 +30,8 @@ constexpr double marginOfRadius = 0.25;
 constexpr double marginOfSpeed = 0.5;
 // A marker whose speed is not known may move by this share of its radius more.
 constexpr double marginWithoutSpeed = 0.5;
+// So many radii from where it is expected a marker with a code is known again: markers stand two apart at least.
+constexpr double reachWithCode = 3.;
 // An outline that comes nearer to the side of its box, pixels, may be a piece of a larger one.
 constexpr double clearOfSide = 4.;
 // Corners of boxes are multiples of this: the half-size image starts its chains on every second row.
@@ -74,10 +76,13 @@ double MarkerTracks::Track::distanceTo(const SeenMarker &other) const
   return (marker.outline.center + speed - other.outline.center).norm();
 }
 
-// Whether it may be this marker that is seen there.
+// Whether it may be this marker that is seen there. One with a code is known again farther away; beyond that it has not
+// moved but jumped, which is no speed to go on with.
 bool MarkerTracks::Track::mayBe(const SeenMarker &other) const
 {
-  return marker.family == other.family && marker.id == other.id && distanceTo(other) < marker.outline.a + slack();
+  const double reach = marker.id >= 0 ? reachWithCode : 1.;
+  return marker.family == other.family && marker.id == other.id &&
+         distanceTo(other) < reach * marker.outline.a + slack();
 }
 
 void MarkerTracks::clear()

@@ -1,0 +1,160 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Tests of the places where markers of the last images are looked for.
+ */
+
+#include "testRoomTools.h"
+
+#include "track/marker_tracks.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr int width = 642; // no multiple of four
+constexpr int height = 481;
+
+SeenMarker seenAt(double u, double v, double a = 40., int id = 3)
+{
+  SeenMarker marker;
+  marker.id = id;
+  marker.outline.center = Eigen::Vector2d(u, v);
+  marker.outline.a = a;
+  marker.outline.b = 0.7 * a;
+  marker.outline.angle = 0.5;
+  return marker;
+}
+
+bool contains(const PixelBox &box, const EllipseParameters &ellipse, double margin)
+{
+  const PixelBox inner = boxAround(ellipse, margin, width, height);
+  return box.left <= inner.left && box.top <= inner.top && box.right >= inner.right && box.bottom >= inner.bottom;
+}
+} // namespace
+
+TEST(BoxAround, TouchesTheEllipse)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 100; ++i) {
+    EllipseParameters ellipse;
+    ellipse.center = Eigen::Vector2d(uniform(random, 200., 400.), uniform(random, 200., 300.));
+    ellipse.a = uniform(random, 20., 100.);
+    ellipse.b = uniform(random, 5., ellipse.a);
+    ellipse.angle = uniform(random, -1.57, 1.57);
+    double left = 1e9, top = 1e9, right = -1e9, bottom = -1e9;
+    for (int k = 0; k < 720; ++k) {
+      const double x = ellipse.a * std::cos(k * M_PI / 360.);
+      const double y = ellipse.b * std::sin(k * M_PI / 360.);
+      const double u = ellipse.center.x() + std::cos(ellipse.angle) * x - std::sin(ellipse.angle) * y;
+      const double v = ellipse.center.y() + std::sin(ellipse.angle) * x + std::cos(ellipse.angle) * y;
+      left = std::min(left, u);
+      right = std::max(right, u);
+      top = std::min(top, v);
+      bottom = std::max(bottom, v);
+    }
+    const PixelBox box = boxAround(ellipse, 0., width, height);
+    EXPECT_NEAR(box.left, left, 1.01);
+    EXPECT_NEAR(box.right, right, 1.01);
+    EXPECT_NEAR(box.top, top, 1.01);
+    EXPECT_NEAR(box.bottom, bottom, 1.01);
+  }
+}
+
+TEST(MarkerTracks, NothingToFollowNoBoxes)
+{
+  MarkerTracks tracks;
+  EXPECT_TRUE(tracks.predict(width, height).empty());
+  tracks.follow({seenAt(300., 200.)}, width, height);
+  EXPECT_EQ(tracks.predict(width, height).size(), 1u);
+  EXPECT_TRUE(tracks.predict(height, width).empty()) << "another size of image";
+  tracks.clear();
+  EXPECT_TRUE(tracks.predict(width, height).empty());
+}
+
+TEST(MarkerTracks, BoxesFollowTheSpeed)
+{
+  MarkerTracks tracks;
+  const Eigen::Vector2d speed(60., -25.); // more than the radius each image
+  Eigen::Vector2d place(100., 400.);
+  tracks.follow({seenAt(place.x(), place.y())}, width, height);
+  place += speed;
+  tracks.follow({seenAt(place.x(), place.y())}, width, height);
+  for (int i = 0; i < 5; ++i) {
+    place += speed;
+    const SeenMarker next = seenAt(place.x(), place.y());
+    const std::vector<PixelBox> boxes = tracks.predict(width, height);
+    ASSERT_EQ(boxes.size(), 1u);
+    EXPECT_TRUE(contains(boxes[0], next.outline, 10.));
+    EXPECT_LT(boxes[0].width(), 240);
+    EXPECT_EQ(boxes[0].left % 4, 0);
+    EXPECT_EQ(boxes[0].top % 4, 0);
+    EXPECT_TRUE(tracks.haveAll({next}));
+    tracks.follow({next}, width, height);
+  }
+}
+
+TEST(MarkerTracks, BoxesThatTouchAreOne)
+{
+  MarkerTracks tracks;
+  // A chain of neighbours and one on its own.
+  tracks.follow(
+      {seenAt(100., 100., 40., 1), seenAt(290., 100., 40., 2), seenAt(195., 120., 40., 3), seenAt(560., 400., 30., 4)},
+      width, height);
+  const std::vector<PixelBox> boxes = tracks.predict(width, height);
+  ASSERT_EQ(boxes.size(), 2u);
+  EXPECT_TRUE(contains(boxes[0], seenAt(100., 100.).outline, 8.));
+  EXPECT_TRUE(contains(boxes[0], seenAt(290., 100.).outline, 8.));
+  EXPECT_TRUE(contains(boxes[1], seenAt(560., 400., 30.).outline, 8.));
+}
+
+TEST(MarkerTracks, ManyLargeMarkersAreLookedForInTheWholeImage)
+{
+  MarkerTracks tracks;
+  tracks.follow({seenAt(160., 240., 110., 1), seenAt(480., 240., 110., 2)}, width, height);
+  EXPECT_TRUE(tracks.predict(width, height).empty());
+}
+
+TEST(MarkerTracks, WhatIsMissingIsNoticed)
+{
+  MarkerTracks tracks;
+  const SeenMarker first = seenAt(150., 150., 40., 1);
+  const SeenMarker second = seenAt(450., 300., 40., 2);
+  tracks.follow({first, second}, width, height);
+  tracks.predict(width, height);
+  EXPECT_TRUE(tracks.haveAll({first, second}));
+  EXPECT_TRUE(tracks.haveAll({second, first}));
+  EXPECT_FALSE(tracks.haveAll({first}));
+  EXPECT_FALSE(tracks.haveAll({first, seenAt(450., 300., 40., 5)})) << "another id in its place";
+  EXPECT_FALSE(tracks.haveAll({}));
+  // An outline at the side of its box may go on beyond it; at the image's own border it may not.
+  const PixelBox box = tracks.predict(width, height)[0];
+  SeenMarker atSide = first;
+  atSide.outline.center.x() = box.left + 38.;
+  EXPECT_FALSE(tracks.haveAll({atSide, second}));
+  tracks.follow({seenAt(20., 150., 40., 1)}, width, height);
+  tracks.predict(width, height);
+  EXPECT_TRUE(tracks.haveAll({seenAt(20., 150., 40., 1)}));
+}
+
+TEST(MarkerTracks, MarkersWithoutACodeAreToldApartByPlace)
+{
+  MarkerTracks tracks;
+  const SeenMarker left = seenAt(150., 150., 30., -1);
+  const SeenMarker right = seenAt(450., 150., 30., -1);
+  tracks.follow({left, right}, width, height);
+  tracks.predict(width, height);
+  EXPECT_TRUE(tracks.haveAll({left, right}));
+  EXPECT_FALSE(tracks.haveAll({left, seenAt(160., 150., 30., -1)})) << "twice the same place";
+}
