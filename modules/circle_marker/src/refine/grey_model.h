@@ -108,6 +108,7 @@ inline void rowOf(const PixelBlock &block, const Photometry &photometry, const D
   row[contrastAt] = -grey.light * darkness.value;
   row[sigmaAt] = byDarkness * darkness.bySigma;
   row[growthAt] = byDarkness * darkness.byGrowth;
+  row[spreadAt] = byDarkness * darkness.bySpread;
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     row[surroundAt + shape] = block.surround[shape] * (block.beyond[shape] - grey.light);
   }

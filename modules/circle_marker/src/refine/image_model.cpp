@@ -79,7 +79,7 @@ void seeNothing(const Lanes &distance, EdgeLanes &edge)
 
 // Circle of a radius, black inside (blackSide 1) or outside (-1).
 void seeCircle(const PlaneLanes &p, const CurvatureLanes &curvature, float radius, float blackSide, float sigma,
-               float growth, EdgeLanes &edge)
+               const Lanes &growth, EdgeLanes &edge)
 {
   const float perSigma = 1.f / sigma;
   const Lanes first = (radius - p.radius) * curvature.perGradient;
@@ -106,7 +106,8 @@ void seeCircle(const PlaneLanes &p, const CurvatureLanes &curvature, float radiu
 }
 
 // Black between two circles.
-void seeBand(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner, float perSigma, SumLanes &band)
+void seeBand(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner, float perSigma,
+             const Lanes &perGradient, SumLanes &band)
 {
   band.value = outer.normal.cumulative + inner.normal.cumulative - 1.f;
   const Lanes byRadius = outer.normal.density * outer.byRadius + inner.normal.density * inner.byRadius;
@@ -114,6 +115,7 @@ void seeBand(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner
   band.byY = byRadius * p.outY;
   band.bySigma = outer.normal.density * outer.bySigma + inner.normal.density * inner.bySigma;
   band.byGrowth = perSigma * (outer.normal.density + inner.normal.density);
+  band.bySpread = perGradient * band.byGrowth;
 }
 
 // Probability of both sides of two edges less the product of the probabilities, and its derivatives.
@@ -195,6 +197,7 @@ ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, c
   m_sinSector = static_cast<float>(std::sin(sectorAngle));
   m_sigma = static_cast<float>(blur.sigma);
   m_growth = static_cast<float>(blur.growth);
+  m_spread = static_cast<float>(blur.spread);
   // Circle and radius meet in the image at the angle whose cosine is at most (1 - k^2) / (1 + k^2), k the cosine of the
   // tilt.
   const double squared = std::pow(plane.rotation.col(2).dot(plane.center.normalized()), 2.);
@@ -214,14 +217,16 @@ void ImageModel::seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const Ed
     code.value += change * (1e30f * distance).max(0.f).min(1.f);
     return;
   }
-  const Lanes standardised = distance + (perSigma * m_growth) * change;
+  const Lanes standardised = distance + perSigma * change * (m_growth + m_spread * perGradient);
   const NormalLanes normal = normalOf(standardised);
   const Lanes slope = perSigma * change * normal.density;
   code.value += change * normal.cumulative;
   code.byX += slope * perGradient * acrossX;
   code.byY += slope * perGradient * acrossY;
   code.bySigma -= slope * standardised;
-  code.byGrowth += slope * change;
+  const Lanes byGrowth = slope * change;
+  code.byGrowth += byGrowth;
+  code.bySpread += byGrowth * perGradient;
   const Lanes isEdge = change * change;
   const Lanes density = isEdge * normal.density;
   if ((density * (outer.normal.density + inner.normal.density)).maxCoeff() < leastCorner) {
@@ -242,6 +247,7 @@ void ImageModel::seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const Ed
     corners.byY += corner.byA * aByAcross * acrossY + byRadius * p.outY;
     corners.bySigma += corner.byB * rim.bySigma - perSigma * corner.byA * a;
     corners.byGrowth += perSigma * (corner.byA + corner.byB);
+    corners.bySpread += perSigma * (corner.byA * perGradient + corner.byB / p.gradient);
   };
   meet(outer, -rho);
   meet(inner, rho);
@@ -255,18 +261,19 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
   m_homography.apply(block.place, p);
   curvatureOf(p, curvature);
   SumLanes total;
+  const Lanes growth = m_growth + m_spread * curvature.perGradient; // pixels
   if (sight != PixelSight::TRACK) {
     EdgeLanes outer, inner;
-    seeCircle(p, curvature, m_ring[0], 1.f, m_sigma, m_growth, outer);
-    seeCircle(p, curvature, m_ring[1], -1.f, m_sigma, m_growth, inner);
-    seeBand(p, outer, inner, 1.f / m_sigma, total);
+    seeCircle(p, curvature, m_ring[0], 1.f, m_sigma, growth, outer);
+    seeCircle(p, curvature, m_ring[1], -1.f, m_sigma, growth, inner);
+    seeBand(p, outer, inner, 1.f / m_sigma, curvature.perGradient, total);
   }
   if (sight != PixelSight::RING) {
     EdgeLanes outer, inner;
     SumLanes band, code;
-    seeCircle(p, curvature, m_track[0], 1.f, m_sigma, m_growth, outer);
-    seeCircle(p, curvature, m_track[1], -1.f, m_sigma, m_growth, inner);
-    seeBand(p, outer, inner, 1.f / m_sigma, band);
+    seeCircle(p, curvature, m_track[0], 1.f, m_sigma, growth, outer);
+    seeCircle(p, curvature, m_track[1], -1.f, m_sigma, growth, inner);
+    seeBand(p, outer, inner, 1.f / m_sigma, curvature.perGradient, band);
     SumLanes corners;
     for (SumLanes *sum : {&code, &corners}) {
       sum->value.setZero();
@@ -274,6 +281,7 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
       sum->byY.setZero();
       sum->bySigma.setZero();
       sum->byGrowth.setZero();
+      sum->bySpread.setZero();
     }
     code.value = block.base;
     // The first border is the nearest one turned back by the sectors between them.
@@ -297,12 +305,13 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
     const Lanes byY = band.value * code.byY + code.value * band.byY + corners.byY;
     const Lanes bySigma = band.value * code.bySigma + code.value * band.bySigma + corners.bySigma;
     const Lanes byGrowth = band.value * code.byGrowth + code.value * band.byGrowth + corners.byGrowth;
+    const Lanes bySpread = band.value * code.bySpread + code.value * band.bySpread + corners.bySpread;
     if (sight == PixelSight::TRACK) {
-      total = {value, byX, byY, bySigma, byGrowth};
+      total = {value, byX, byY, bySigma, byGrowth, bySpread};
     }
     else {
-      total = {total.value + value, total.byX + byX, total.byY + byY, total.bySigma + bySigma,
-               total.byGrowth + byGrowth};
+      total = {total.value + value,     total.byX + byX,           total.byY + byY,
+               total.bySigma + bySigma, total.byGrowth + byGrowth, total.bySpread + bySpread};
     }
   }
   const Lanes bySlope = (total.byX * (p.qx - m_cx) + total.byY * (p.qy - m_cy)) * m_perDepth;
@@ -315,6 +324,7 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
   darkness.byTwist[5] = total.byX * p.qy - total.byY * p.qx;
   darkness.bySigma = total.bySigma;
   darkness.byGrowth = total.byGrowth;
+  darkness.bySpread = total.bySpread;
 }
 
 void ImageModel::evaluate(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const
@@ -363,6 +373,7 @@ Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const Mar
     darkness.byPose << plane.rotation * translation / plane.radius, plane.rotation * turn;
     darkness.bySigma = lanes.bySigma[0];
     darkness.byGrowth = lanes.byGrowth[0];
+    darkness.bySpread = lanes.bySpread[0];
   }
   return darkness;
 }

@@ -59,6 +59,7 @@ struct SumLanes
   Lanes byX, byY; //!< By the place in the plane
   Lanes bySigma;
   Lanes byGrowth;
+  Lanes bySpread;
 };
 
 /*! Share of black that each pixel of a block sees, and its derivatives. */
@@ -68,6 +69,7 @@ struct DarknessLanes
   Lanes byTwist[6]; //!< By the twist in the marker's frame: three translations in radii, three turns in rad.
   Lanes bySigma;    //!< 1 / pixel.
   Lanes byGrowth;   //!< 1 / pixel.
+  Lanes bySpread;   //!< 1 / radius.
 };
 
 /*! The model at a pose. */
@@ -92,6 +94,7 @@ private:
   float m_track[2];               // radii of the track's rims
   float m_cosSector, m_sinSector; // of a sector's angle
   float m_sigma, m_growth;        // blur, pixels
+  float m_spread;                 // radii
   int m_borders;                  // seen by a pixel; 0 without a code
   int m_cornerTerms;              // of the tetrachoric series
 };
@@ -104,6 +107,7 @@ struct Darkness
   Eigen::Matrix<double, 6, 1> byPose = Eigen::Matrix<double, 6, 1>::Zero();
   double bySigma = 0.;  //!< 1 / pixel.
   double byGrowth = 0.; //!< 1 / pixel.
+  double bySpread = 0.; //!< 1 / radius.
 };
 
 /*! Evaluates the model at one pixel. */

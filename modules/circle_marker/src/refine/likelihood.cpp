@@ -33,6 +33,8 @@ namespace {
 constexpr double leastContrast = 0.5;
 // Black grows by no more than this, pixels, and is expected to grow by none to this standard deviation.
 constexpr double growthPrior = 0.3;
+// Ink spreads by some 0.1 mm, radii of markers are some 30 to 100 mm.
+constexpr double spreadPrior = 0.003;
 // The paper mostly ends where it may, at a square or, less often, at a circle, or goes on in some directions.
 constexpr std::array<double, paperShapes> expectedSurround = {{0.25, 0.5}};
 constexpr double surroundPrior = 0.5;
@@ -204,7 +206,8 @@ void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry
 double Likelihood::priorCost(const Photometry &photometry, double noise) const
 {
   const double u = m_settings.growth ? photometry.blur.growth / growthPrior : 0.;
-  double cost = u * u;
+  const double v = m_settings.growth ? photometry.blur.spread / spreadPrior : 0.;
+  double cost = u * u + v * v;
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     const double s = (photometry.surround[shape] - expectedSurround[shape]) / surroundPrior;
     cost += s * s;
@@ -233,9 +236,13 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
     const double weight = noise * noise / (growthPrior * growthPrior);
     equations.matrix(growthAt, growthAt) += weight;
     equations.right[growthAt] -= weight * photometry.blur.growth;
+    const double weightOfSpread = noise * noise / (spreadPrior * spreadPrior);
+    equations.matrix(spreadAt, spreadAt) += weightOfSpread;
+    equations.right[spreadAt] -= weightOfSpread * photometry.blur.spread;
   }
   else {
     hold(growthAt);
+    hold(spreadAt);
   }
   if (!m_settings.spinIsKnown) {
     hold(spinAt);

@@ -54,6 +54,8 @@ constexpr std::array<Node, 12> trackNodes = {{{-3.3f, 0.00103381f},
                                               {3.3f, 0.00103381f}}};
 // Crossings farther away than this many standard deviations see none of the blur.
 constexpr float farAway = 5.f;
+// Lines cross the borders that matter more steeply than this.
+constexpr float leastCosine = 0.2f;
 
 // Bend of an edge, curvature times blur / 2, from which parabolas leave an error that shows, for the ring, where it is
 // of the order of the bend's cube and the pose leans on it, and for the track, where it is of that of its square: up to
@@ -74,8 +76,8 @@ struct LineModel::Line
 {
   Lanes qx, qy, w0;
   Lanes mx, my, w;
-  Lanes rimGrowth;        // growth of black along the line at a circle, standard deviations
-  Lanes growthU, growthV; // direction of the line in the image, times what divides a growth at a border
+  Lanes rimGrowth; // growth of black along the line at a circle, standard deviations
+  Lanes u, v;      // direction in the image
   const PlaneLanes *point = nullptr;
 };
 
@@ -90,7 +92,8 @@ LineModel::LineModel(const MarkerPlane &plane, const MarkerPattern &pattern, con
     : m_homography(plane, reference), m_ring{static_cast<float>(pattern.ring[0].radius),
                                              pattern.ringEdges > 1 ? static_cast<float>(pattern.ring[1].radius) : 0.f},
       m_track{static_cast<float>(pattern.track[0].radius), static_cast<float>(pattern.track[1].radius)},
-      m_perSigma(static_cast<float>(1. / blur.sigma)), m_growth(static_cast<float>(blur.growth))
+      m_perSigma(static_cast<float>(1. / blur.sigma)), m_growth(static_cast<float>(blur.growth)),
+      m_spread(static_cast<float>(blur.spread))
 {
   const int sectors = static_cast<int>(pattern.sectors);
   if (sectors > 0) {
@@ -164,8 +167,10 @@ Lanes LineModel::trackAlong(const Line &line) const
     const PlaneLanes &p = *line.point;
     const Lanes gu = p.qxByU * acrossX + p.qyByU * acrossY;
     const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
-    const Lanes cosine = (gu * line.growthU + gv * line.growthV).abs() * (gu * gu + gv * gv).rsqrt();
-    const Lanes grown = at - border.change * sense * (m_perSigma * m_growth) / cosine.max(0.2f);
+    const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
+    const Lanes cosine = (gu * line.u + gv * line.v).abs() * perGradient;
+    const Lanes growth = m_perSigma * (m_growth + m_spread * perGradient);
+    const Lanes grown = at - border.change * sense * growth / cosine.max(leastCosine);
     Lanes before;
     if (((grown.abs() - farAway) * change.abs()).minCoeff() >= 0.f) {
       before = isPositive(grown);
@@ -204,9 +209,10 @@ Lanes LineModel::darkness(const PixelBlock &block, PixelSight sight) const
   }
   Line line;
   line.point = &p;
-  line.growthU = u;
-  line.growthV = v;
-  line.rimGrowth = (m_perSigma * m_growth) / ((p.gradientU * u + p.gradientV * v) * perGradient);
+  line.u = u;
+  line.v = v;
+  line.rimGrowth =
+      m_perSigma * (m_growth + m_spread * perGradient) / ((p.gradientU * u + p.gradientV * v) * perGradient);
   const float sigma = 1.f / m_perSigma;
   const DirectionLanes along = m_homography.along(block.place, sigma * u, sigma * v);
   const DirectionLanes across = m_homography.along(block.place, -sigma * v, sigma * u);

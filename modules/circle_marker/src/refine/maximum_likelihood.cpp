@@ -74,6 +74,7 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   photometry.contrast += step[contrastAt];
   photometry.blur.sigma = std::clamp(photometry.blur.sigma + step[sigmaAt], leastSigma, mostSigma);
   photometry.blur.growth += step[growthAt];
+  photometry.blur.spread += step[spreadAt];
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     photometry.surround[shape] += step[surroundAt + static_cast<int>(shape)];
   }

@@ -30,7 +30,8 @@ namespace circle_marker {
 struct BlurParameters
 {
   double sigma = 0.8; //!< Standard deviation of lens blur and pixel area together, pixels.
-  double growth = 0.; //!< Distance by which every black region is larger than designed, pixels.
+  double growth = 0.; //!< Distance by which every black region looks larger than designed, pixels: the camera's gamma.
+  double spread = 0.; //!< And by which it is printed larger, outer radii: the ink's spread.
 };
 
 /*! Light, contrast and blur of a marker's image. */
