@@ -197,9 +197,9 @@ const std::vector<vpCircleMarkerFamily> &vpDetectorCircleMarker::getFamilies() c
 }
 
 /*!
-  \param database : What is known of the markers. Those in it have its sizes, whatever detect() and setMarkerSizes() say,
-  and their messages carry name and payload: "golay23 id: 5 name: door payload: wait". Which families are looked for is
-  setFamilies()'s.
+  \param database : What is known of the markers. Those in it have its sizes, whatever detect() and setMarkerSizes()
+  say, and their messages carry name and payload: "golay23 id: 5 name: door payload: wait". Which families are looked
+  for is setFamilies()'s.
 */
 void vpDetectorCircleMarker::setDatabase(const vpCircleMarkerDatabase &database)
 {
