@@ -72,7 +72,11 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
 
 /*!
   Reads the code of such a marker.
+  \param I : The image.
+  \param camera : Its camera.
   \param poses : Both poses of its ring, measured.
+  \param family : The family.
+  \param settings : How strictly a code is read.
 */
 Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
                                      const vpCircleMarkerFamily &family, const DecodeSettings &settings);

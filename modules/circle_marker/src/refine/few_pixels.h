@@ -30,7 +30,6 @@ namespace circle_marker {
   \param planes, count : The hypotheses; each gets its share of the rows.
   \param pattern : The print.
   \param blur : Blur expected at the edges, pixels: the spacing of the pixels in a row.
-  \param quietZone : Width of the white margin, in units of the outer radius.
   \param pixels : The result; its memory is used again. A small marker's rows may share pixels.
 */
 void selectFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
