@@ -19,6 +19,7 @@
 
 #include <Eigen/LU>
 
+#include "refine/fit_pixels.h"
 #include "refine/image_model.h"
 #include "refine/maximum_likelihood.h"
 
@@ -391,7 +392,7 @@ TEST(MaximumLikelihood, CovarianceGrowsWhereNeighboursPullTogether)
     }
     together += varianceOf(true) / varianceOf(false) / trials;
   }
-  EXPECT_GT(independent, 1. - 1e-9);
+  EXPECT_GT(independent, 1. - 1e-6); // the sums of both are rounded differently
   EXPECT_LT(independent, 1.1);
   EXPECT_GT(together, 2.);
 }

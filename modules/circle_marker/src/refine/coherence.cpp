@@ -24,10 +24,9 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 namespace {
-// Clusters of neighbouring pixels whose pulls on the parameters are compared with what independent noise would give.
-constexpr std::size_t clusters = 32;
-// Fewer than this, and they tell nothing.
+// With fewer clusters of pixels than this, their pulls tell nothing.
 constexpr std::size_t leastClusters = 10;
 // The ratio counts if it is above that of independent noise by this many of its standard deviations.
 constexpr double clearOfChance = 3.;
@@ -35,49 +34,30 @@ constexpr double clearOfChance = 3.;
 constexpr double pullOfNoise = 0.6605;
 } // namespace
 
-double Likelihood::coherence(const MarkerPlane &plane, const Photometry &photometry, double noise) const
+double Likelihood::coherence(const ParameterVector &step, double noise) const
 {
-  const PixelBlocks &blocks = m_memory.blocks;
-  const std::size_t count = blocks.bySight[0].size() + blocks.bySight[1].size() + blocks.bySight[2].size();
-  const std::size_t blocksOfCluster = (count + clusters - 1) / clusters;
-  if (count < leastClusters) {
+  const std::vector<ClusterSums> &clusters = m_memory.clusters;
+  if (clusters.size() < leastClusters) {
     return 1.;
   }
-  const ImageModel model(plane, m_pattern, photometry.blur, blocks);
-  DarknessLanes darkness;
-  RowLanes row;
   using PoseMatrix = Eigen::Matrix<double, poseSize, poseSize>;
+  using PoseVector = Eigen::Matrix<double, poseSize, 1>;
   PoseMatrix all = PoseMatrix::Zero(), pulls = PoseMatrix::Zero();
-  std::array<PoseMatrix, clusters> information;
-  std::size_t cluster = 0, k = 0;
-  PoseMatrix ofCluster = PoseMatrix::Zero();
-  Eigen::Matrix<double, poseSize, 1> pull = Eigen::Matrix<double, poseSize, 1>::Zero();
-  const auto close = [&]() {
-    all += ofCluster;
-    pulls += pull * pull.transpose();
-    information[cluster++] = ofCluster;
-    ofCluster.setZero();
-    pull.setZero();
-  };
-  forEachBlock(blocks, [&](const PixelBlock &block, PixelSight sight) {
-    model.evaluate(block, sight, darkness);
-    const GreyLanes grey = greyOf(block, photometry, darkness.value);
-    rowOf(block, photometry, darkness, grey, row);
-    const LossLanes loss = biweight(grey.residual, block.variance, static_cast<float>(noise));
-    for (int i = 0; i < poseSize; ++i) {
-      const Lanes weighted = loss.weight * row[static_cast<std::size_t>(i)];
-      pull[i] += static_cast<double>((weighted * grey.residual).sum());
+  std::array<PoseMatrix, mostClusters> information;
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    ParameterMatrix matrix;
+    std::size_t k = 0;
+    for (int i = 0; i < parameters; ++i) {
       for (int j = 0; j <= i; ++j) {
-        ofCluster(i, j) += static_cast<double>((weighted * row[static_cast<std::size_t>(j)]).sum());
-        ofCluster(j, i) = ofCluster(i, j);
+        matrix(i, j) = clusters[c][k++];
+        matrix(j, i) = matrix(i, j);
       }
     }
-    if (++k % blocksOfCluster == 0) {
-      close();
-    }
-  });
-  if (k % blocksOfCluster != 0) {
-    close();
+    information[c] = matrix.topLeftCorner<poseSize, poseSize>();
+    const PoseVector before = Eigen::Map<const PoseVector>(clusters[c].data() + products);
+    const PoseVector pull = before - matrix.topRows<poseSize>() * step;
+    all += information[c];
+    pulls += pull * pull.transpose();
   }
   // The pulls' sum is 0 after the fit, which takes a little away; the share of each cluster in what is known tells how
   // much that is, and how much the ratio varies by chance.
@@ -85,7 +65,7 @@ double Likelihood::coherence(const MarkerPlane &plane, const Photometry &photome
   const Eigen::LDLT<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, poseSize, poseSize>> known(
       all.topLeftCorner(fitted, fitted));
   double squaredShares = 0.;
-  for (std::size_t i = 0; i < cluster; ++i) {
+  for (std::size_t i = 0; i < clusters.size(); ++i) {
     const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, poseSize, poseSize> share =
         known.solve(information[i].topLeftCorner(fitted, fitted));
     squaredShares += (share * share).trace() / fitted;
@@ -95,5 +75,6 @@ double Likelihood::coherence(const MarkerPlane &plane, const Photometry &photome
   const double byChance = std::sqrt(2. * squaredShares / fitted);
   return ratio > 1. + clearOfChance * byChance ? ratio : 1.;
 }
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

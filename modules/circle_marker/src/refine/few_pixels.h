@@ -18,7 +18,12 @@
 #ifndef VP_CIRCLE_MARKER_FEW_PIXELS_H
 #define VP_CIRCLE_MARKER_FEW_PIXELS_H
 
-#include "refine/fit_pixels.h"
+#include <vector>
+
+#include "refine/fit_pixel.h"
+#include "support/camera_model.h"
+
+#include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {

@@ -25,11 +25,12 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // Half-width of the band of pixels along an edge: beyond 2.4 standard deviations of the blur lies 0.1 % of what an edge
 // tells of its place and 1 % of what it tells of the blur; and the pose is known to this, pixels.
 constexpr double bandOfBlur = 2.4;
-constexpr double poseError = 0.3;
+constexpr double poseErrorOfSelection = 0.3;
 // Hypotheses that are served.
 constexpr std::size_t mostHypotheses = 2;
 
@@ -89,7 +90,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
 {
   pixels.clear();
   count = std::min(count, mostHypotheses);
-  const double band = bandOfBlur * blur + poseError;
+  const double band = bandOfBlur * blur + poseErrorOfSelection;
   const double outermost = pattern.paper[0].extent;
   const Box box = boundingBox(I, camera, planes, count, outermost);
   const Eigen::Vector2d center = camera.toPixel(planes[0].project(Eigen::Vector2d::Zero()));
@@ -101,33 +102,34 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   const int slant = static_cast<int>(std::lround(0.382 * keep));
   SurroundShare surround(I, camera, planes, count, pattern.paper, blur);
   std::array<TileView, mostHypotheses> hypotheses = {{{planes[0], pattern, band}, {planes[count - 1], pattern, band}}};
-  const auto add = [&](int u, int v, FitPixel &pixel) {
+  const double perSize = 1. / size;
+  const auto add = [&](int u, int v, const Eigen::Matrix2d &meterPerPixel) {
     const Eigen::Vector2d where(u, v);
+    FitPixel &pixel = pixels.emplace_back();
     pixel.model.meter = camera.toMeter(where);
-    pixel.beyond = {};
-    if (surround.complete(pixel)) {
-      pixel.offset = (where - center) / size;
-      pixel.grey = I[v][u];
-      pixels.push_back(pixel);
+    pixel.model.meterPerPixel = meterPerPixel;
+    pixel.offset = perSize * (where - center);
+    pixel.grey = I[v][u];
+    if (!surround.complete(pixel)) {
+      pixels.pop_back();
     }
   };
   for (int top = box.top; top <= box.bottom; top += laneCount) {
     for (int left = box.left; left <= box.right; left += laneCount) {
       const Eigen::Vector2d middle(left + tileHalf, top + tileHalf);
-      FitPixel pixel;
-      pixel.model = {camera.toMeter(middle), camera.meterPerPixel(middle)};
+      const ModelPixel tile = {camera.toMeter(middle), camera.meterPerPixel(middle)};
       bool isNear = false;
       for (std::size_t i = 0; i < count; ++i) {
-        isNear = hypotheses[i].enter(pixel.model) || isNear;
+        isNear = hypotheses[i].enter(tile) || isNear;
       }
       if (!isNear) {
         // Inside a plain ring anything may be printed: only the neighbourhood of its edges is known.
         if (pattern.sectors > 0 && keep == 1) {
-          add(left, top, pixel);
+          add(left, top, tile.meterPerPixel);
         }
         continue;
       }
-      surround.enter(pixel.model);
+      surround.enter(tile);
       const int right = std::min(left + laneCount - 1, box.right);
       for (int v = top; v <= std::min(top + laneCount - 1, box.bottom); ++v) {
         Lanes distance = Lanes::Constant(HUGE_VALF);
@@ -140,7 +142,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
         int phase = (left + slant * v) % keep;
         for (int u = left; u <= right; ++u) {
           if (phase == 0 && distance[u - left] < static_cast<float>(band)) {
-            add(u, v, pixel);
+            add(u, v, tile.meterPerPixel);
           }
           phase = phase + 1 < keep ? phase + 1 : 0;
         }
@@ -148,5 +150,6 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
     }
   }
 }
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

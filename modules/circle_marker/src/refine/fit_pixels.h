@@ -20,40 +20,15 @@
 
 #include <vector>
 
-#include "pose/marker_plane.h"
-#include "refine/marker_pattern.h"
-#include "refine/photometry.h"
+#include "refine/fit_pixel.h"
+#include "refine/lanes.h"
 #include "support/camera_model.h"
 
 #include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! A pixel as the model needs it. */
-struct ModelPixel
-{
-  Eigen::Vector2d meter;         //!< Normalised coordinates of its centre.
-  Eigen::Matrix2d meterPerPixel; //!< Their derivative with respect to the pixel.
-};
-
-/*! What a pixel sees of what lies beyond the paper. */
-struct BeyondPaper
-{
-  double share = 0.;  //!< Share of what it sees that may lie there, where anything may be.
-  double grey = 0.;   //!< Grey level seen farther out in that direction.
-  double spread = 0.; //!< And its standard deviation there: HUGE_VAL if nothing is seen.
-};
-
-/*! A pixel of the image with what the model needs of it. */
-struct FitPixel
-{
-  ModelPixel model;
-  Eigen::Vector2d offset =
-      Eigen::Vector2d::Zero(); //!< From the marker's centre, in units of its image's size: for the light's gradient.
-  double grey = 0.;            //!< Measured grey level.
-  std::array<BeyondPaper, paperShapes> beyond{}; //!< What may lie beyond the paper, by its shape.
-};
-
+inline namespace CIRCLE_MARKER_LANES {
 /*!
   Chooses the pixels that carry information on the pose: those near an edge of the pattern in any of the hypotheses,
   and a few of the flat areas that fix white and black. Very large markers are thinned to keep the number bounded.
@@ -68,6 +43,7 @@ struct FitPixel
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
                   std::size_t count, const MarkerPattern &pattern, double blur, double most,
                   std::vector<FitPixel> &pixels);
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

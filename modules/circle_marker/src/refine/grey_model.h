@@ -30,6 +30,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 // Tukey's constant for 95 % efficiency with normal noise.
 constexpr double tukey = 4.685;
 
@@ -67,6 +68,12 @@ template <class Use> void forEachBlock(const PixelBlocks &blocks, const Use &use
       use(block, static_cast<PixelSight>(kind));
     }
   }
+}
+
+// Number of all blocks.
+inline std::size_t blockCount(const PixelBlocks &blocks)
+{
+  return blocks.bySight[0].size() + blocks.bySight[1].size() + blocks.bySight[2].size();
 }
 
 // The grey levels of a block as the model has them.
@@ -113,6 +120,7 @@ inline void rowOf(const PixelBlock &block, const Photometry &photometry, const D
     row[surroundAt + shape] = block.surround[shape] * (block.beyond[shape] - grey.light);
   }
 }
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

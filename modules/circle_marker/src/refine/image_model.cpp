@@ -22,6 +22,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // The second-order distance to a circle is not let further from the first-order one than by this share, and the shift
 // by its curvature not beyond half of the blur: only pixels that do not see the circle come so far.
@@ -40,7 +41,7 @@ constexpr float leastBend = 2e-3f;
 // Squared sine of the angle between two edges: corners are not sharper.
 constexpr float leastSquaredSine = 0.05f;
 // A block that is farther from an edge than this many standard deviations of the blur, to first order, does not see it.
-constexpr float farAway = 6.f;
+constexpr float farFromEdge = 6.f;
 // Inner radius of a ring without one, in units of the outer: so far away that no pixel sees it.
 constexpr float noEdge = -100.f;
 
@@ -83,7 +84,7 @@ void seeCircle(const PlaneLanes &p, const CurvatureLanes &curvature, float radiu
 {
   const float perSigma = 1.f / sigma;
   const Lanes first = (radius - p.radius) * curvature.perGradient;
-  if (first.abs().minCoeff() > farAway * sigma) {
+  if (first.abs().minCoeff() > farFromEdge * sigma) {
     seeNothing(blackSide * first, edge);
     return;
   }
@@ -213,7 +214,7 @@ void ImageModel::seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const Ed
   const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
   const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
   const Lanes distance = perSigma * (acrossX * p.qx + acrossY * p.qy) * perGradient;
-  if (distance.abs().minCoeff() > farAway) {
+  if (distance.abs().minCoeff() > farFromEdge) {
     code.value += change * (1e30f * distance).max(0.f).min(1.f);
     return;
   }
@@ -377,5 +378,6 @@ Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const Mar
   }
   return darkness;
 }
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -42,6 +42,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 /*! An edge between black and white, as the pixels of a block see it. */
 struct EdgeLanes
 {
@@ -113,6 +114,7 @@ struct Darkness
 /*! Evaluates the model at one pixel. */
 Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern,
                     const BlurParameters &blur);
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -17,10 +17,14 @@
 
 /*!
   \file lanes.h
-  \brief Eight pixels at a time: arithmetic that compilers turn into SIMD instructions through Eigen.
+  \brief Eight pixels at a time: arithmetic that compilers turn into SIMD instructions.
 
   Single precision is enough: its rounding, 1e-7 of the contrast and 1e-5 of a pixel, is far below what noise leaves.
   There is no branch on a lane; a condition is a product with 0 or 1, or a clamp.
+
+  Code that works on lanes is compiled twice from the same files: for any processor, through Eigen, in the namespace
+  plain_lanes, and for processors with AVX2 and FMA in the namespace wide_lanes (wide_lanes.cpp). makeFitter() takes the
+  one that the processor can do. So everything that has lanes in it lives in CIRCLE_MARKER_LANES.
 */
 
 #ifndef VP_CIRCLE_MARKER_LANES_H
@@ -30,11 +34,27 @@
 
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
 
+#ifdef CIRCLE_MARKER_WIDE_LANES
+#define CIRCLE_MARKER_LANES wide_lanes
+#include "refine/avx2_lanes.h"
+#else
+#define CIRCLE_MARKER_LANES plain_lanes
+#endif
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 /*! Number of pixels that are treated together: two SSE or NEON registers, one AVX register. */
 constexpr int laneCount = 8;
+#ifndef CIRCLE_MARKER_WIDE_LANES
 using Lanes = Eigen::Array<float, laneCount, 1>;
+#endif
+
+/*! 1 where a value is positive, else 0. */
+inline Lanes isPositive(const Lanes &value)
+{
+  return (1e30f * value).max(0.f).min(1.f);
+}
 
 /*! Cumulative distribution and density of the standard normal distribution. */
 struct NormalLanes
@@ -61,6 +81,7 @@ inline NormalLanes normalOf(const Lanes &standardised)
   normal.cumulative = 0.5f + (1e30f * z).min(half).max(-half);
   return normal;
 }
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

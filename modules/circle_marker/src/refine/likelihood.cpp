@@ -28,6 +28,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // A print that stands out by less than this, grey levels, is none; rounding alone never gives as much.
 constexpr double leastContrast = 0.5;
@@ -41,54 +42,75 @@ constexpr double surroundPrior = 0.5;
 // In the first guess of light and contrast, before the noise is known, a pixel with this variance, grey levels^2, from
 // the surround counts half.
 constexpr float guessedVariance = 25.f;
-// Blocks whose sums are taken in single precision before they go to double.
-constexpr std::size_t blocksToFlush = 32;
+// Blocks whose products are summed up at once, so that each sum is loaded and stored once for all of them; and groups
+// of these whose sums are taken in single precision before they go to double.
+constexpr std::size_t blocksOfGroup = 4;
+constexpr std::size_t groupsToFlush = 8;
 
-constexpr int products = parameters * (parameters + 1) / 2;
-
-// Sums of one pass, in lanes and then in double precision.
+// Sums of one pass, in lanes and then in double precision, cluster by cluster.
 class Sums
 {
 public:
-  Sums()
+  // blocks: their number; clusters: into how many they are divided at most.
+  Sums(std::size_t blocks, std::size_t clusters, std::vector<ClusterSums> &sums) : m_sums(sums)
   {
-    m_total.fill(0.);
+    const std::size_t groups = (blocks + blocksOfGroup - 1) / blocksOfGroup;
+    m_groupsOfCluster = std::max<std::size_t>((groups + clusters - 1) / clusters, 1);
+    m_sums.clear();
     clear();
   }
 
-  void add(const std::array<Lanes, parameters> &row, const Lanes &residual, const LossLanes &loss)
+  // The row of the next block, to be filled in before add().
+  RowLanes &row() { return m_rows[m_pending]; }
+
+  void add(const Lanes &residual, const LossLanes &loss)
   {
-    int k = 0;
-    for (int i = 0; i < parameters; ++i) {
-      const Lanes weighted = loss.weight * row[static_cast<std::size_t>(i)];
-      for (int j = 0; j <= i; ++j) {
-        m_lanes[static_cast<std::size_t>(k++)] += weighted * row[static_cast<std::size_t>(j)];
-      }
-      m_lanes[static_cast<std::size_t>(products + i)] += weighted * residual;
+    const RowLanes &row = m_rows[m_pending];
+    std::array<Lanes, parameters> &weighted = m_weighted[m_pending];
+    for (std::size_t i = 0; i < parameters; ++i) {
+      weighted[i] = loss.weight * row[i];
+      m_lanes[products + i] += weighted[i] * residual;
     }
     m_lanes[costAt] += loss.cost;
     m_lanes[squaresAt] += loss.tells * loss.weight * residual.square();
     m_lanes[keptAt] += loss.tells * loss.kept;
-    if (++m_blocks == blocksToFlush) {
-      flush();
+    if (++m_pending == blocksOfGroup) {
+      closeGroup();
     }
   }
 
   Equations equations()
   {
-    flush();
+    if (m_pending > 0) {
+      for (; m_pending < blocksOfGroup; ++m_pending) {
+        for (std::size_t i = 0; i < parameters; ++i) {
+          m_rows[m_pending][i].setZero();
+          m_weighted[m_pending][i].setZero();
+        }
+      }
+      closeGroup();
+    }
+    if (m_groups > 0) {
+      flush();
+    }
+    ClusterSums total = {};
+    for (const ClusterSums &cluster : m_sums) {
+      for (std::size_t k = 0; k < sumsOfCluster; ++k) {
+        total[k] += cluster[k];
+      }
+    }
     Equations result;
     int k = 0;
     for (int i = 0; i < parameters; ++i) {
       for (int j = 0; j <= i; ++j) {
-        result.matrix(i, j) = m_total[static_cast<std::size_t>(k++)];
+        result.matrix(i, j) = total[static_cast<std::size_t>(k++)];
         result.matrix(j, i) = result.matrix(i, j);
       }
-      result.right[i] = m_total[static_cast<std::size_t>(products + i)];
+      result.right[i] = total[static_cast<std::size_t>(products + i)];
     }
-    result.cost = m_total[costAt];
-    result.squares = m_total[squaresAt];
-    result.kept = m_total[keptAt];
+    result.cost = total[costAt];
+    result.squares = total[squaresAt];
+    result.kept = total[keptAt];
     return result;
   }
 
@@ -96,27 +118,52 @@ private:
   static constexpr std::size_t costAt = products + parameters;
   static constexpr std::size_t squaresAt = costAt + 1;
   static constexpr std::size_t keptAt = costAt + 2;
-  static constexpr std::size_t size = costAt + 3;
 
   void clear()
   {
     for (Lanes &lanes : m_lanes) {
       lanes.setZero();
     }
-    m_blocks = 0;
+  }
+
+  void closeGroup()
+  {
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < parameters; ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        Lanes sum = m_lanes[k];
+        for (std::size_t block = 0; block < blocksOfGroup; ++block) {
+          sum += m_weighted[block][i] * m_rows[block][j];
+        }
+        m_lanes[k++] = sum;
+      }
+    }
+    m_pending = 0;
+    ++m_groups;
+    if (m_groups % groupsToFlush == 0 || m_groups % m_groupsOfCluster == 0) {
+      flush();
+    }
   }
 
   void flush()
   {
-    for (std::size_t k = 0; k < size; ++k) {
-      m_total[k] += static_cast<double>(m_lanes[k].sum());
+    const std::size_t cluster = (m_groups - 1) / m_groupsOfCluster;
+    if (cluster >= m_sums.size()) {
+      m_sums.resize(cluster + 1);
+    }
+    for (std::size_t k = 0; k < sumsOfCluster; ++k) {
+      m_sums[cluster][k] += static_cast<double>(m_lanes[k].sum());
     }
     clear();
   }
 
-  std::array<Lanes, size> m_lanes;
-  std::array<double, size> m_total;
-  std::size_t m_blocks = 0;
+  std::array<Lanes, sumsOfCluster> m_lanes;
+  std::array<RowLanes, blocksOfGroup> m_rows;
+  std::array<RowLanes, blocksOfGroup> m_weighted;
+  std::size_t m_pending = 0; // blocks of the present group
+  std::size_t m_groups = 0;
+  std::size_t m_groupsOfCluster;
+  std::vector<ClusterSums> &m_sums;
 };
 
 } // namespace
@@ -172,10 +219,10 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
 Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &photometry, double noise)
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
-  Sums sums;
+  // Coherence is not asked for where bends are not corrected: it is for a final fit.
+  Sums sums(blockCount(m_memory.blocks), m_settings.exactBends ? mostClusters : 1, m_memory.trialClusters);
   m_memory.trial.clear();
   DarknessLanes darkness;
-  RowLanes row;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
     const GreyLanes grey = greyOf(block, photometry, darkness.value);
@@ -184,8 +231,8 @@ Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &phot
     const Lanes holds = holdsPixel(block);
     loss.cost *= holds;
     loss.kept *= holds;
-    rowOf(block, photometry, darkness, grey, row);
-    sums.add(row, grey.residual, loss);
+    rowOf(block, photometry, darkness, grey, sums.row());
+    sums.add(grey.residual, loss);
   });
   Equations equations = sums.equations();
   constrain(photometry, noise, equations);
@@ -248,5 +295,6 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
     hold(spinAt);
   }
 }
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

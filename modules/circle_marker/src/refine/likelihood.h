@@ -34,21 +34,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-// Places of the parameters in vectors and matrices: twist of the pose (image_model.h), light and its gradient,
-// contrast, blur, growth, spread, share of the surround for each shape of the paper.
-constexpr int poseSize = 6;
-constexpr int spinAt = 5;
-constexpr int lightAt = 6;
-constexpr int gradientAt = 7;
-constexpr int contrastAt = 9;
-constexpr int sigmaAt = 10;
-constexpr int growthAt = 11;
-constexpr int spreadAt = 12;
-constexpr int surroundAt = 13;
-constexpr int parameters = surroundAt + static_cast<int>(paperShapes);
-using ParameterVector = Eigen::Matrix<double, parameters, 1>;
-using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
-
+inline namespace CIRCLE_MARKER_LANES {
 /*! Noise of rounding to whole grey levels: no picture has less. */
 constexpr double quantisation = 0.2887;
 
@@ -97,16 +83,21 @@ public:
   /*! One pass over the pixels. */
   Equations linearise(const MarkerPlane &plane, const Photometry &photometry, double noise);
 
-  /*! The residuals of the last pass are those of the present parameters. */
-  void keepResiduals() { m_memory.residuals.swap(m_memory.trial); }
+  /*! The residuals and sums of the last pass are those of the present parameters. */
+  void keepResiduals()
+  {
+    m_memory.residuals.swap(m_memory.trial);
+    m_memory.clusters.swap(m_memory.trialClusters);
+  }
 
   /*!
-    How much more neighbouring pixels pull together at the pose than independent noise would make them: the mean ratio
-    of the variances of the pulls' sums over clusters of pixels. 1 if that is within chance or the pixels are too few to
-    tell; more if the print is bent, moved or lit in a way that the model does not know. It is the factor between the
-    sandwich covariance with these clusters (White, Econometrica 48, 1980) and that of the normal equations.
+    How much more neighbouring pixels pull together than independent noise would make them, after a last step from the
+    sums kept: the mean ratio of the variances of the pulls' sums over clusters of pixels. 1 if that is within chance or
+    the pixels are too few to tell; more if the print is bent, moved or lit in a way that the model does not know. It is
+    the factor between the sandwich covariance with these clusters (White, Econometrica 48, 1980) and that of the normal
+    equations.
   */
-  double coherence(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
+  double coherence(const ParameterVector &step, double noise) const;
 
   /*! The residuals at a pose, without equations. */
   void evaluate(const MarkerPlane &plane, const Photometry &photometry);
@@ -131,6 +122,7 @@ private:
   FitSettings m_settings;         //!< What is fitted.
   FitMemory &m_memory;            //!< The pixels and their residuals.
 };
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -24,6 +24,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // A line across the edges: its place across in standard deviations of the blur, and its weight.
 struct Node
@@ -53,7 +54,7 @@ constexpr std::array<Node, 12> trackNodes = {{{-3.3f, 0.00103381f},
                                               {2.7f, 0.00625418f},
                                               {3.3f, 0.00103381f}}};
 // Crossings farther away than this many standard deviations see none of the blur.
-constexpr float farAway = 5.f;
+constexpr float farFromCrossing = 5.f;
 // Lines cross the borders that matter more steeply than this.
 constexpr float leastCosine = 0.2f;
 
@@ -62,12 +63,6 @@ constexpr float leastCosine = 0.2f;
 // there the depth is biased by less than a fifth of its standard deviation.
 constexpr float strongBendOfRing = 0.09f;
 constexpr float strongBendOfTrack = 0.13f;
-
-// 1 where a value is positive, else 0.
-Lanes isPositive(const Lanes &value)
-{
-  return (1e30f * value).max(0.f).min(1.f);
-}
 } // namespace
 
 // Points (q0 + s m) / (w0 + s w) of the plane, with s in standard deviations of the blur from the point nearest to the
@@ -123,7 +118,7 @@ LineModel::Chord LineModel::chordOf(const Line &line, float radius, const Lanes 
   const Lanes second = ((-b + half) * perA + isCrossed * growth).max(-6.5f).min(6.5f);
   Chord chord;
   chord.after = normalOf(second).cumulative;
-  chord.before = first.maxCoeff() < -farAway ? Lanes(Lanes::Zero()) : normalOf(first).cumulative;
+  chord.before = first.maxCoeff() < -farFromCrossing ? Lanes(Lanes::Zero()) : normalOf(first).cumulative;
   return chord;
 }
 
@@ -172,7 +167,7 @@ Lanes LineModel::trackAlong(const Line &line) const
     const Lanes growth = m_perSigma * (m_growth + m_spread * perGradient);
     const Lanes grown = at - border.change * sense * growth / cosine.max(leastCosine);
     Lanes before;
-    if (((grown.abs() - farAway) * change.abs()).minCoeff() >= 0.f) {
+    if (((grown.abs() - farFromCrossing) * change.abs()).minCoeff() >= 0.f) {
       before = isPositive(grown);
     }
     else {
@@ -279,5 +274,6 @@ bool correctBends(const MarkerPlane &plane, const MarkerPattern &pattern, const 
   }
   return isAnyBent;
 }
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -38,6 +38,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 /*! The print at a pose, seen along lines. */
 class LineModel
 {
@@ -84,6 +85,7 @@ private:
 */
 bool correctBends(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
                   PixelBlocks &blocks);
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -26,6 +26,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // The blur stays between that of the pixel's own area and one that no marker is recognised through, pixels.
 constexpr double leastSigma = 0.29;
@@ -195,6 +196,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
   // taken for outliers while they are needed.
   double excess = start.noise ? 0. : 1.;
   int noiseUpdates = start.noise ? 0 : mostNoiseUpdates;
+  ParameterVector lastStep = ParameterVector::Zero(); // beyond the equations
   for (int iteration = 0; iteration < settings.mostIterations; ++iteration) {
     ParameterMatrix damped = equations.matrix;
     damped.diagonal() *= 1. + damping;
@@ -214,6 +216,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
       result.photometry = photometry;
       result.photometry.unevenShare = fit.unevenShareOfResiduals(noise);
       if (!preparation.isRough(plane, result.photometry)) {
+        lastStep = step / biweightStep; // the weights change as well
         break;
       }
       preparation.prepare(plane, result.photometry, noise);
@@ -257,7 +260,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
   if (!inverse.allFinite()) {
     return std::nullopt;
   }
-  const double coherence = settings.exactBends ? fit.coherence(result.plane, result.photometry, noise) : 1.;
+  const double coherence = settings.exactBends ? fit.coherence(lastStep, noise) : 1.;
   Eigen::Matrix<double, 6, 6> covariance =
       coherence * biweightCovariance * result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
   if (!settings.spinIsKnown) {
@@ -280,5 +283,6 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
   likelihood.evaluate(fit.plane, fit.photometry);
   return likelihood.costOfResiduals(fit.photometry, noise);
 }
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

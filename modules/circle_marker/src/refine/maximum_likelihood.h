@@ -31,53 +31,50 @@
 #ifndef VP_CIRCLE_MARKER_MAXIMUM_LIKELIHOOD_H
 #define VP_CIRCLE_MARKER_MAXIMUM_LIKELIHOOD_H
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "refine/fitted_pose.h"
 #include "refine/pixel_blocks.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
+// Places of the parameters in vectors and matrices: twist of the pose (image_model.h), light and its gradient,
+// contrast, blur, growth, spread, share of the surround for each shape of the paper.
+constexpr int poseSize = 6;
+constexpr int spinAt = 5;
+constexpr int lightAt = 6;
+constexpr int gradientAt = 7;
+constexpr int contrastAt = 9;
+constexpr int sigmaAt = 10;
+constexpr int growthAt = 11;
+constexpr int spreadAt = 12;
+constexpr int surroundAt = 13;
+constexpr int parameters = surroundAt + static_cast<int>(paperShapes);
+using ParameterVector = Eigen::Matrix<double, parameters, 1>;
+using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
+
+// Sums over a cluster of neighbouring pixels: the lower triangle of the equations' matrix, row by row, their right-hand
+// side, the cost and what it takes to know the noise.
+constexpr int products = parameters * (parameters + 1) / 2;
+constexpr std::size_t sumsOfCluster = products + parameters + 3;
+using ClusterSums = std::array<double, sumsOfCluster>;
+/*! Clusters that the pixels are divided into at most. */
+constexpr std::size_t mostClusters = 32;
+
 /*! Working memory of fits, used again from one to the next. */
 struct FitMemory
 {
-  PixelBlocks blocks;           //!< The pixels.
-  std::vector<Lanes> residuals; //!< Of the present parameters, block by block, grey levels.
-  std::vector<Lanes> trial;     //!< Of the last pass.
-  std::vector<float> absolute;  //!< For the median.
-};
-
-/*! A fitted pose. */
-struct FittedPose
-{
-  MarkerPlane plane;
-  Photometry photometry;
-  double squares = 0.;                    //!< Sum of squared residuals, robust, grey levels^2.
-  double noise = 0.;                      //!< Standard deviation of the residuals that count, grey levels.
-  double inliers = 0.;                    //!< Share of the pixels that count, in [0, 1].
-  double correlation = 0.;                //!< Between model and image, in [-1, 1].
-  Eigen::Matrix<double, 6, 6> covariance; //!< Of (t, w): see Darkness::byPose.
-};
-
-/*! What is fitted. */
-struct FitSettings
-{
-  bool spinIsKnown = true; //!< Whether the code fixes the spin: else it stays as it is.
-  bool growth = true;      //!< Whether black may be larger than designed.
-  bool exactBends = true;  //!< Whether edges that bend strongly are corrected (correctBends()).
-  int mostIterations = 25; //!< Levenberg-Marquardt steps; 0 only evaluates the start.
-  //! A step is the last when what it leaves of the way is expected to be less than this share of a standard deviation.
-  double convergence = 0.15;
-};
-
-/*! Where a fit starts. */
-struct FitStart
-{
-  MarkerPlane plane;
-  std::optional<Photometry> photometry; //!< Nothing: taken from the image, by linear least squares.
-  std::optional<double> noise;          //!< Grey levels; nothing: taken from the residuals at the start.
+  PixelBlocks blocks;                     //!< The pixels.
+  std::vector<Lanes> residuals;           //!< Of the present parameters, block by block, grey levels.
+  std::vector<Lanes> trial;               //!< Of the last pass.
+  std::vector<float> absolute;            //!< For the median.
+  std::vector<ClusterSums> clusters;      //!< Of the present parameters.
+  std::vector<ClusterSums> trialClusters; //!< Of the last pass.
 };
 
 /*!
@@ -97,6 +94,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
 */
 double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
                      const Photometry &surround, double noise, bool exactBends, FitMemory &memory);
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

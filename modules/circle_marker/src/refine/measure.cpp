@@ -111,11 +111,11 @@ void keepTwo(std::vector<FittedPose> &ranked)
 
 // Fits every start on the pixels; those that lead nowhere are left out.
 std::vector<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const std::vector<FitStart> &starts,
-                               const MarkerPattern &pattern, const FitSettings &settings, FitMemory &memory)
+                               const MarkerPattern &pattern, const FitSettings &settings, Fitter &fitter)
 {
   std::vector<FittedPose> fits;
   for (const FitStart &start : starts) {
-    if (const auto fit = fitPose(pixels, start, pattern, settings, memory)) {
+    if (const auto fit = fitter.fitPose(pixels, start, pattern, settings)) {
       fits.push_back(*fit);
     }
   }
@@ -124,7 +124,7 @@ std::vector<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const std::v
 
 // Puts the fit that explains the pixels best first; all are judged by the noise of the best. Returns that noise.
 double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, bool exactBends,
-            std::vector<FittedPose> &fits, FitMemory &memory)
+            std::vector<FittedPose> &fits, Fitter &fitter)
 {
   const auto best = std::min_element(fits.begin(), fits.end(),
                                      [](const FittedPose &p, const FittedPose &q) { return p.noise < q.noise; });
@@ -132,7 +132,7 @@ double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, b
   if (fits.size() > 1) {
     const Photometry surround = best->photometry;
     for (FittedPose &fit : fits) {
-      fit.squares = robustSquares(pixels, fit, pattern, surround, noise, exactBends, memory);
+      fit.squares = fitter.robustSquares(pixels, fit, pattern, surround, noise, exactBends);
     }
     std::sort(fits.begin(), fits.end(), [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; });
   }
@@ -171,11 +171,11 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   coarse.convergence = coarseConvergence;
   coarse.exactBends = false;
   coarse.mostIterations = refine ? coarseIterations : 0;
-  std::vector<FittedPose> fits = fitAll(memory.pixels, startsOf(marker.poses, camera), pattern, coarse, memory.fit);
+  std::vector<FittedPose> fits = fitAll(memory.pixels, startsOf(marker.poses, camera), pattern, coarse, *memory.fitter);
   if (fits.empty()) {
     return std::nullopt;
   }
-  double noise = rank(memory.pixels, pattern, false, fits, memory.fit);
+  double noise = rank(memory.pixels, pattern, false, fits, *memory.fitter);
   keepTwo(fits);
 
   // Those that have a chance on all pixels.
@@ -193,17 +193,17 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
       square.angle = squareAngleOf(I, camera, planes[0], square.extent);
     }
     const double blur = std::clamp(fits[0].photometry.blur.sigma, leastBlur, mostBlur);
-    selectPixels(I, camera, planes.data(), fits.size(), pattern, blur, manyPixels, memory.pixels);
+    memory.fitter->selectPixels(I, camera, planes.data(), fits.size(), pattern, blur, manyPixels, memory.pixels);
     dropCovered(marker, memory.pixels);
     std::vector<FitStart> starts;
     for (const FittedPose &fit : fits) {
       starts.push_back({fit.plane, fit.photometry, noise});
     }
-    fits = fitAll(memory.pixels, starts, pattern, settings, memory.fit);
+    fits = fitAll(memory.pixels, starts, pattern, settings, *memory.fitter);
     if (fits.empty()) {
       return std::nullopt;
     }
-    noise = rank(memory.pixels, pattern, true, fits, memory.fit);
+    noise = rank(memory.pixels, pattern, true, fits, *memory.fitter);
   }
   const double refined = pattern.sectors > 0 ? leastCorrelation : leastCorrelationWithoutCode;
   const double least = refine ? refined : leastCorrelationUnrefined;

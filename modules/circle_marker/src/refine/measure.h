@@ -18,11 +18,12 @@
 #ifndef VP_CIRCLE_MARKER_MEASURE_H
 #define VP_CIRCLE_MARKER_MEASURE_H
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "decode/recognise.h"
-#include "refine/maximum_likelihood.h"
+#include "refine/fitter.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -35,11 +36,15 @@ struct Measurement
   double cost2 = HUGE_VAL;          //!< And of the second.
 };
 
-/*! Working memory of measure(), used again from one marker to the next. */
+/*! Working memory of measure(), used again from one marker to the next. A copy has a memory of its own. */
 struct MeasureMemory
 {
-  std::vector<FitPixel> pixels; //!< The pixels that are explained.
-  FitMemory fit;                //!< Of the fits.
+  MeasureMemory() = default;
+  MeasureMemory(const MeasureMemory &) {}
+  MeasureMemory &operator=(const MeasureMemory &) { return *this; }
+
+  std::vector<FitPixel> pixels;                  //!< The pixels that are explained.
+  std::unique_ptr<Fitter> fitter = makeFitter(); //!< What fits poses to them.
 };
 
 /*!

@@ -26,11 +26,12 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // An edge is seen up to this many standard deviations of the blur (3e-6 of the contrast), and the pose at which the
 // pixels are sorted may be off by this much, pixels.
-constexpr double reach = 4.5;
-constexpr double poseError = 1.;
+constexpr double reachOfEdges = 4.5;
+constexpr double poseErrorOfSorting = 1.;
 
 // A block without pixels: harmless numbers that count nothing.
 PixelBlock emptyBlock()
@@ -52,22 +53,22 @@ PixelBlock emptyBlock()
   return block;
 }
 
-// Angle of a vector, to 1e-3 rad and several times faster than std::atan2: enough to know the nearest border.
-float roughAngle(float x, float y)
+// Angle of vectors in [-pi, pi], to 1e-3 rad: enough to know the nearest border.
+Lanes roughAngle(const Lanes &x, const Lanes &y)
 {
-  const float least = std::min(std::abs(x), std::abs(y));
-  const float most = std::max(std::abs(x), std::abs(y));
-  const float t = least / std::max(most, 1e-12f);
+  const Lanes width = x.abs();
+  const Lanes height = y.abs();
+  const Lanes t = width.min(height) / width.max(height).max(1e-12f);
   // Chebyshev's polynomial of the arc tangent on [0, 1], odd, of degree 5.
-  const float square = t * t;
-  const float octant = t * (0.995354f + square * (-0.288679f + square * 0.079331f));
-  const float quadrant = std::abs(y) > std::abs(x) ? 1.5707963f - octant : octant;
-  const float half = x < 0.f ? 3.1415927f - quadrant : quadrant;
-  return y < 0.f ? -half : half;
+  const Lanes square = t * t;
+  const Lanes octant = t * (0.995354f + square * (-0.288679f + square * 0.079331f));
+  const Lanes quadrant = octant + isPositive(height - width) * (1.5707963f - 2.f * octant);
+  const Lanes half = quadrant + isPositive(-x) * (3.1415927f - 2.f * quadrant);
+  return half * (1.f - 2.f * isPositive(-y));
 }
 
 // Borders that a pixel of the track may see: those whose distance at the inner rim, along the image's shorter axis, is
-// within reach.
+// within reachOfEdges.
 int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, double unit, double distance)
 {
   const double tilt = plane.rotation.col(2).dot(plane.center.normalized());
@@ -78,24 +79,19 @@ int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, double u
 }
 
 // What the surround may do to a pixel: something between nothing and all of its share.
-void putSurround(const FitPixel &pixel, const MarkerPlane &plane, const PaperEnds &papers, const Photometry &photometry,
+void putSurround(const FitPixel &pixel, const PlanePoint &point, const PaperEnds &papers, const Photometry &photometry,
                  double noise, Eigen::Index lane, PixelBlock &block)
 {
-  block.grey[lane] = static_cast<float>(pixel.grey);
-  block.spread[lane] = 0.f;
-  block.variance[lane] = 0.f;
   const double light = photometry.light + photometry.lightGradient.dot(pixel.offset);
   double variance = 0.;
   double most = 0.;
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     BeyondPaper beyond = pixel.beyond[shape];
-    block.surround[shape][lane] = 0.f;
-    block.beyond[shape][lane] = 0.f;
     if (beyond.share <= 0.) {
       continue;
     }
     // The pose is better known than when the pixel was chosen.
-    beyond.share = shareBeyond(planePoint(pixel.model, plane), papers[shape], photometry.blur.sigma);
+    beyond.share = shareBeyond(point, papers[shape], photometry.blur.sigma);
     double doubt = 0.25 * light * light; // where nothing is seen of it, anything is possible
     if (std::isfinite(beyond.spread)) {
       block.surround[shape][lane] = static_cast<float>(beyond.share);
@@ -111,53 +107,140 @@ void putSurround(const FitPixel &pixel, const MarkerPlane &plane, const PaperEnd
   block.variance[lane] = static_cast<float>(variance + photometry.unevenShare * photometry.unevenShare * most * most);
 }
 
-// What a pixel of the track may see of the sectors.
-void putSectors(float x, float y, const MarkerPattern &pattern, int borders, std::size_t lane, PixelBlock &block)
+// For each border between sectors, what a pixel sees to which it is the nearest.
+class SectorTable
 {
-  const auto l = static_cast<Eigen::Index>(lane);
-  // Borders from -n / 2 to n / 2, shifted by n so that cutting off rounds them.
-  const auto n = static_cast<float>(pattern.sectors);
-  constexpr float perTurn = 0.15915494f; // 1 / 2 pi
-  const int nearest = static_cast<int>(roughAngle(x, y) * n * perTurn + n + 0.5f) - static_cast<int>(pattern.sectors);
-  const Eigen::Vector2d &across = pattern.acrossBorder(nearest);
-  block.acrossX[l] = static_cast<float>(across.x());
-  block.acrossY[l] = static_cast<float>(across.y());
-  const int first = nearest - borders / 2;
-  float before = pattern.isBlack(first - 1) ? 1.f : 0.f;
-  block.base[l] = before;
-  for (int k = 0; k < borders; ++k) {
-    const float after = pattern.isBlack(first + k) ? 1.f : 0.f;
-    block.change[k + (mostBorders - borders) / 2][l] = after - before;
-    before = after;
+public:
+  SectorTable(const MarkerPattern &pattern, int borders)
+      : m_sectors(static_cast<float>(pattern.sectors)), m_borders(borders)
+  {
+    for (unsigned int sector = 0; sector < pattern.sectors; ++sector) {
+      const int nearest = static_cast<int>(sector);
+      View &view = m_views[sector];
+      view.acrossX = static_cast<float>(pattern.acrossBorder(nearest).x());
+      view.acrossY = static_cast<float>(pattern.acrossBorder(nearest).y());
+      const int first = nearest - borders / 2;
+      float before = pattern.isBlack(first - 1) ? 1.f : 0.f;
+      view.base = before;
+      for (int k = 0; k < borders; ++k) {
+        const float after = pattern.isBlack(first + k) ? 1.f : 0.f;
+        view.change[static_cast<std::size_t>(k)] = after - before;
+        before = after;
+      }
+    }
   }
-}
 
-// Adds a pixel to the blocks of its kind.
-void put(const FitPixel &pixel, const MarkerPlane &plane, PixelSight sight, const PlaceLanes &place,
-         const PlaneLanes &point, Eigen::Index from, const MarkerPattern &pattern, const Photometry &photometry,
-         double noise, PixelBlocks &blocks)
+  // Puts what the pixels of a block see that are at (x, y) on the marker's plane.
+  void put(const Lanes &x, const Lanes &y, PixelBlock &block) const
+  {
+    // Borders from -n / 2 to n / 2, shifted by n so that cutting off rounds them.
+    const Lanes nearest = roughAngle(x, y) * (m_sectors * 0.15915494f) + (m_sectors + 0.5f);
+    const int sectors = static_cast<int>(m_sectors);
+    for (int lane = 0; lane < laneCount; ++lane) {
+      const int border = static_cast<int>(nearest[lane]);
+      const View &view = m_views[static_cast<std::size_t>(border < sectors ? border : border - sectors)];
+      block.acrossX[lane] = view.acrossX;
+      block.acrossY[lane] = view.acrossY;
+      block.base[lane] = view.base;
+      for (int k = 0; k < m_borders; ++k) {
+        block.change[k + (mostBorders - m_borders) / 2][lane] = view.change[static_cast<std::size_t>(k)];
+      }
+    }
+  }
+
+private:
+  struct View
+  {
+    float acrossX, acrossY, base;
+    std::array<float, mostBorders> change;
+  };
+  std::array<View, 31> m_views;
+  float m_sectors;
+  int m_borders;
+};
+
+// Writes pixels into the blocks of their kinds.
+class Packer
 {
-  const auto kind = static_cast<std::size_t>(sight);
-  const std::size_t lane = blocks.count[kind]++ % laneCount;
-  std::vector<PixelBlock> &group = blocks.bySight[kind];
-  if (lane == 0) {
-    group.push_back(emptyBlock());
+public:
+  Packer(const MarkerPlane &plane, const MarkerPattern &pattern, const Photometry &photometry, double noise,
+         PixelBlocks &blocks)
+      : m_pattern(pattern), m_photometry(photometry), m_noise(noise), m_blocks(blocks),
+        m_homography(plane, blocks.reference), m_table(pattern, blocks.borders), m_empty(emptyBlock())
+  {
   }
-  PixelBlock &block = group.back();
-  const auto to = static_cast<Eigen::Index>(lane);
-  block.place.x[to] = place.x[from];
-  block.place.y[to] = place.y[from];
-  block.place.xByU[to] = place.xByU[from];
-  block.place.xByV[to] = place.xByV[from];
-  block.place.yByU[to] = place.yByU[from];
-  block.place.yByV[to] = place.yByV[from];
-  block.offsetU[to] = static_cast<float>(pixel.offset.x());
-  block.offsetV[to] = static_cast<float>(pixel.offset.y());
-  putSurround(pixel, plane, pattern.paper, photometry, noise, to, block);
-  if (sight != PixelSight::RING) {
-    putSectors(point.qx[from], point.qy[from], pattern, blocks.borders, lane, block);
+
+  // Where pixels are on the marker's plane.
+  void look(const PlaceLanes &place, PlaneLanes &point) const { m_homography.apply(place, point); }
+
+  void put(const FitPixel &pixel, PixelSight sight, const PlaceLanes &place, Eigen::Index from)
+  {
+    const auto kind = static_cast<std::size_t>(sight);
+    const std::size_t lane = m_blocks.count[kind]++ % laneCount;
+    std::vector<PixelBlock> &group = m_blocks.bySight[kind];
+    if (lane == 0) {
+      group.push_back(m_empty);
+    }
+    PixelBlock &block = group.back();
+    const auto to = static_cast<Eigen::Index>(lane);
+    block.place.x[to] = place.x[from];
+    block.place.y[to] = place.y[from];
+    block.place.xByU[to] = place.xByU[from];
+    block.place.xByV[to] = place.xByV[from];
+    block.place.yByU[to] = place.yByU[from];
+    block.place.yByV[to] = place.yByV[from];
+    block.offsetU[to] = static_cast<float>(pixel.offset.x());
+    block.offsetV[to] = static_cast<float>(pixel.offset.y());
+    block.grey[to] = static_cast<float>(pixel.grey);
+    block.variance[to] = 0.f;
+    m_pixels[kind][lane] = &pixel;
+    if (lane + 1 == laneCount) {
+      complete(sight);
+    }
   }
-}
+
+  // Completes the last block of each kind.
+  void finish()
+  {
+    for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+      if (m_blocks.count[kind] % laneCount != 0) {
+        complete(static_cast<PixelSight>(kind));
+      }
+    }
+  }
+
+private:
+  void complete(PixelSight sight)
+  {
+    const auto kind = static_cast<std::size_t>(sight);
+    PixelBlock &block = m_blocks.bySight[kind].back();
+    const std::size_t count = (m_blocks.count[kind] - 1) % laneCount + 1;
+    PlaneLanes point;
+    m_homography.apply(block.place, point);
+    if (sight != PixelSight::RING) {
+      m_table.put(point.qx, point.qy, block);
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const FitPixel &pixel = *m_pixels[kind][k];
+      if (pixel.beyond[0].share > 0. || pixel.beyond[1].share > 0.) {
+        const auto lane = static_cast<Eigen::Index>(k);
+        PlanePoint there;
+        there.q << point.qx[lane], point.qy[lane];
+        there.byPixel << point.qxByU[lane], point.qxByV[lane], point.qyByU[lane], point.qyByV[lane];
+        putSurround(pixel, there, m_pattern.paper, m_photometry, m_noise, lane, block);
+      }
+    }
+  }
+
+  const MarkerPattern &m_pattern;
+  const Photometry &m_photometry;
+  const double m_noise;
+  PixelBlocks &m_blocks;
+  const PlaneHomography m_homography;
+  const SectorTable m_table;
+  const PixelBlock m_empty;
+  std::array<std::array<const FitPixel *, laneCount>, pixelSights> m_pixels; // of the last blocks
+};
 
 // What a pixel at a radius may see; margin: how far it sees, in radii.
 PixelSight sightOf(float radius, float margin, const MarkerPattern &pattern)
@@ -182,9 +265,9 @@ void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, c
   }
   const FitPixel &middle = pixels[pixels.size() / 2];
   blocks.reference = {middle.model.meter, std::sqrt(std::abs(middle.model.meterPerPixel.determinant()))};
-  const double seen = reach * photometry.blur.sigma + poseError; // pixels
+  const double seen = reachOfEdges * photometry.blur.sigma + poseErrorOfSorting; // pixels
   blocks.borders = pattern.sectors > 0 ? bordersSeen(plane, pattern, blocks.reference.unit, seen) : 0;
-  const PlaneHomography homography(plane, blocks.reference);
+  Packer packer(plane, pattern, photometry, noise, blocks);
   const double perUnit = 1. / blocks.reference.unit;
   PlaceLanes place = emptyBlock().place;
   PlaneLanes point;
@@ -199,13 +282,14 @@ void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, c
       place.yByU[lane] = static_cast<float>(perUnit * model.meterPerPixel(1, 0));
       place.yByV[lane] = static_cast<float>(perUnit * model.meterPerPixel(1, 1));
     }
-    homography.apply(place, point);
+    packer.look(place, point);
     for (Eigen::Index lane = 0; lane < count; ++lane) {
       const PixelSight sight = sightOf(point.radius[lane], static_cast<float>(seen) * point.gradient[lane], pattern);
-      put(pixels[start + static_cast<std::size_t>(lane)], plane, sight, place, point, lane, pattern, photometry, noise,
-          blocks);
+      packer.put(pixels[start + static_cast<std::size_t>(lane)], sight, place, lane);
     }
   }
+  packer.finish();
 }
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

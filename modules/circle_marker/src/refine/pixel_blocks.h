@@ -28,12 +28,12 @@
 #include <array>
 #include <vector>
 
-#include "refine/fit_pixels.h"
-#include "refine/photometry.h"
+#include "refine/fit_pixel.h"
 #include "refine/plane_lanes.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 /*! What a pixel may see of the print. */
 enum class PixelSight
 {
@@ -86,6 +86,7 @@ struct PixelBlocks
 */
 void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
                 const Photometry &photometry, double noise, PixelBlocks &blocks);
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -19,6 +19,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 PlaneHomography::PlaneHomography(const MarkerPlane &plane, const ImageReference &reference)
 {
   // The camera's centre and the ray m = (x, y, 1) in the marker's frame meet its plane at
@@ -39,5 +40,6 @@ PlaneHomography::PlaneHomography(const MarkerPlane &plane, const ImageReference 
   m_bx = static_cast<float>(rowX.dot(origin));
   m_by = static_cast<float>(rowY.dot(origin));
 }
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

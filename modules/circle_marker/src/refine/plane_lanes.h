@@ -28,6 +28,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 /*! Origin and unit of image coordinates in single precision: a point of the marker's image and the size of a pixel. */
 struct ImageReference
 {
@@ -102,6 +103,7 @@ public:
 private:
   float m_axx, m_axy, m_ayx, m_ayy, m_bx, m_by, m_wx, m_wy;
 };
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -18,7 +18,7 @@
 #ifndef VP_CIRCLE_MARKER_PLANE_POINT_H
 #define VP_CIRCLE_MARKER_PLANE_POINT_H
 
-#include "refine/fit_pixels.h"
+#include "refine/fit_pixel.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {

@@ -22,6 +22,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // Ratio of a normal distribution's standard deviation to its median absolute value.
 constexpr double sigmaOfMedian = 1.4826;
@@ -116,5 +117,6 @@ Explanation Likelihood::explain(double noise) const
   const double denominator = std::sqrt((n * xx - x * x) * (n * yy - y * y));
   return {denominator > 0. ? (n * xy - x * y) / denominator : 0., inliers / std::max(pixels, 1.)};
 }
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

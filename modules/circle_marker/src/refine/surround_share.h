@@ -31,6 +31,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 // A pixel that may see more than this share of what lies beyond the quiet zone is not used.
 constexpr double mostSurround = 0.9;
 // A pixel that sees less than this share of it sees nothing: a thousandth of the light is below the noise.
@@ -99,6 +100,7 @@ private:
   const PaperEnds &m_papers;
   std::array<Surround, paperShapes> m_surrounds;
 };
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

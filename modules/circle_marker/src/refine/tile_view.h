@@ -32,6 +32,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
 constexpr double tileHalf = 0.5 * (laneCount - 1);      // pixels, from its first pixel to its centre
 constexpr double tileRadius = 0.7072 * (laneCount - 1); // pixels, from its centre to its corners
 // Sectors that are narrower than this at the track's outer rim, in units of the band, are used as a whole.
@@ -148,6 +149,7 @@ private:
   const double m_band; // pixels
   Tile m_tile;
 };
+} // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -1,0 +1,168 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Arithmetic on eight pixels at a time with AVX2 and FMA.
+ */
+
+/*!
+  \file avx2_lanes.h
+  \brief Eight numbers in one register, with the functions of Eigen::Array that the code on lanes uses.
+
+  Included by lanes.h only, where the compiler may use these instructions.
+*/
+
+#ifndef VP_CIRCLE_MARKER_AVX2_LANES_H
+#define VP_CIRCLE_MARKER_AVX2_LANES_H
+
+#include <immintrin.h>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+inline namespace wide_lanes {
+class alignas(32) Lanes
+{
+public:
+  Lanes() = default;
+  Lanes(__m256 value) : m_value(value) {}
+
+  static Lanes Constant(float x) { return _mm256_set1_ps(x); }
+  static Lanes Zero() { return _mm256_setzero_ps(); }
+  static Lanes Ones() { return Constant(1.f); }
+  static Lanes LinSpaced(float first, float last)
+  {
+    const float step = (last - first) / 7.f;
+    return _mm256_fmadd_ps(_mm256_setr_ps(0.f, 1.f, 2.f, 3.f, 4.f, 5.f, 6.f, 7.f), Constant(step).m_value,
+                           Constant(first).m_value);
+  }
+
+  void setConstant(float x) { *this = Constant(x); }
+  void setZero() { *this = Zero(); }
+  void setOnes() { *this = Ones(); }
+
+  // The register's type may alias any other.
+  float &operator[](std::ptrdiff_t lane) { return reinterpret_cast<float *>(&m_value)[lane]; }
+  float operator[](std::ptrdiff_t lane) const { return reinterpret_cast<const float *>(&m_value)[lane]; }
+
+  Lanes operator-() const { return _mm256_xor_ps(m_value, _mm256_set1_ps(-0.f)); }
+  Lanes &operator+=(const Lanes &b) { return *this = _mm256_add_ps(m_value, b.m_value); }
+  Lanes &operator-=(const Lanes &b) { return *this = _mm256_sub_ps(m_value, b.m_value); }
+  Lanes &operator*=(const Lanes &b) { return *this = _mm256_mul_ps(m_value, b.m_value); }
+
+  Lanes abs() const { return _mm256_andnot_ps(_mm256_set1_ps(-0.f), m_value); }
+  Lanes min(const Lanes &b) const { return _mm256_min_ps(m_value, b.m_value); }
+  Lanes max(const Lanes &b) const { return _mm256_max_ps(m_value, b.m_value); }
+  Lanes min(float b) const { return min(Constant(b)); }
+  Lanes max(float b) const { return max(Constant(b)); }
+  Lanes square() const { return _mm256_mul_ps(m_value, m_value); }
+  Lanes cube() const { return _mm256_mul_ps(square().m_value, m_value); }
+  Lanes sqrt() const { return _mm256_sqrt_ps(m_value); }
+  Lanes inverse() const { return _mm256_div_ps(Ones().m_value, m_value); }
+  Lanes rsqrt() const { return sqrt().inverse(); }
+  __m256 value() const { return m_value; }
+
+  Lanes exp() const;
+
+  float sum() const
+  {
+    return fold([](const __m128 &a, const __m128 &b) { return _mm_add_ps(a, b); });
+  }
+  float minCoeff() const
+  {
+    return fold([](const __m128 &a, const __m128 &b) { return _mm_min_ps(a, b); });
+  }
+  float maxCoeff() const
+  {
+    return fold([](const __m128 &a, const __m128 &b) { return _mm_max_ps(a, b); });
+  }
+
+private:
+  // All lanes together by an operation that takes two registers of four.
+  template <class Operation> float fold(const Operation &together) const
+  {
+    const __m128 four = together(_mm256_castps256_ps128(m_value), _mm256_extractf128_ps(m_value, 1));
+    const __m128 two = together(four, _mm_movehl_ps(four, four));
+    return _mm_cvtss_f32(together(two, _mm_shuffle_ps(two, two, 1)));
+  }
+
+  __m256 m_value;
+};
+
+inline Lanes operator+(const Lanes &a, const Lanes &b)
+{
+  return _mm256_add_ps(a.value(), b.value());
+}
+inline Lanes operator-(const Lanes &a, const Lanes &b)
+{
+  return _mm256_sub_ps(a.value(), b.value());
+}
+inline Lanes operator*(const Lanes &a, const Lanes &b)
+{
+  return _mm256_mul_ps(a.value(), b.value());
+}
+inline Lanes operator/(const Lanes &a, const Lanes &b)
+{
+  return _mm256_div_ps(a.value(), b.value());
+}
+inline Lanes operator+(const Lanes &a, float b)
+{
+  return a + Lanes::Constant(b);
+}
+inline Lanes operator-(const Lanes &a, float b)
+{
+  return a - Lanes::Constant(b);
+}
+inline Lanes operator*(const Lanes &a, float b)
+{
+  return a * Lanes::Constant(b);
+}
+inline Lanes operator/(const Lanes &a, float b)
+{
+  return a * Lanes::Constant(1.f / b);
+}
+inline Lanes operator+(float a, const Lanes &b)
+{
+  return Lanes::Constant(a) + b;
+}
+inline Lanes operator-(float a, const Lanes &b)
+{
+  return Lanes::Constant(a) - b;
+}
+inline Lanes operator*(float a, const Lanes &b)
+{
+  return Lanes::Constant(a) * b;
+}
+inline Lanes operator/(float a, const Lanes &b)
+{
+  return Lanes::Constant(a) / b;
+}
+
+// 2^n e^r with |r| < log(2) / 2: Taylor's series of e^r up to r^7 / 7!, whose next term is below 6e-9.
+inline Lanes Lanes::exp() const
+{
+  const Lanes x = min(88.f).max(-87.f);
+  const __m256 n = _mm256_round_ps((x * 1.44269504f).m_value, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+  // log(2) in two parts, so that the product with the first is exact.
+  const Lanes r = x - Lanes(n) * 0.693359375f - Lanes(n) * -2.12194440e-4f;
+  Lanes sum = 1.f / 720.f + r * (1.f / 5040.f);
+  for (const float factor : {1.f / 120.f, 1.f / 24.f, 1.f / 6.f, 0.5f, 1.f, 1.f}) {
+    sum = factor + r * sum;
+  }
+  const __m256i exponent = _mm256_slli_epi32(_mm256_add_epi32(_mm256_cvtps_epi32(n), _mm256_set1_epi32(127)), 23);
+  return sum * Lanes(_mm256_castsi256_ps(exponent));
+}
+} // namespace wide_lanes
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

@@ -1,0 +1,57 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * A pixel that a marker's pose is refined on.
+ */
+
+#ifndef VP_CIRCLE_MARKER_FIT_PIXEL_H
+#define VP_CIRCLE_MARKER_FIT_PIXEL_H
+
+#include <array>
+
+#include "pose/marker_plane.h"
+#include "refine/marker_pattern.h"
+#include "refine/photometry.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! A pixel as the model needs it. */
+struct ModelPixel
+{
+  Eigen::Vector2d meter;         //!< Normalised coordinates of its centre.
+  Eigen::Matrix2d meterPerPixel; //!< Their derivative with respect to the pixel.
+};
+
+/*! What a pixel sees of what lies beyond the paper. */
+struct BeyondPaper
+{
+  double share = 0.;  //!< Share of what it sees that may lie there, where anything may be.
+  double grey = 0.;   //!< Grey level seen farther out in that direction.
+  double spread = 0.; //!< And its standard deviation there: HUGE_VAL if nothing is seen.
+};
+
+/*! A pixel of the image with what the model needs of it. */
+struct FitPixel
+{
+  ModelPixel model;
+  Eigen::Vector2d offset =
+      Eigen::Vector2d::Zero(); //!< From the marker's centre, in units of its image's size: for the light's gradient.
+  double grey = 0.;            //!< Measured grey level.
+  std::array<BeyondPaper, paperShapes> beyond{}; //!< What may lie beyond the paper, by its shape.
+};
+
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

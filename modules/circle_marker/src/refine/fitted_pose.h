@@ -1,0 +1,63 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * A fitted pose, and what is fitted.
+ */
+
+#ifndef VP_CIRCLE_MARKER_FITTED_POSE_H
+#define VP_CIRCLE_MARKER_FITTED_POSE_H
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "pose/marker_plane.h"
+#include "refine/photometry.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! A fitted pose. */
+struct FittedPose
+{
+  MarkerPlane plane;
+  Photometry photometry;
+  double squares = 0.;                    //!< Sum of squared residuals, robust, grey levels^2.
+  double noise = 0.;                      //!< Standard deviation of the residuals that count, grey levels.
+  double inliers = 0.;                    //!< Share of the pixels that count, in [0, 1].
+  double correlation = 0.;                //!< Between model and image, in [-1, 1].
+  Eigen::Matrix<double, 6, 6> covariance; //!< Of (t, w): see Darkness::byPose.
+};
+
+/*! What is fitted. */
+struct FitSettings
+{
+  bool spinIsKnown = true; //!< Whether the code fixes the spin: else it stays as it is.
+  bool growth = true;      //!< Whether black may be larger than designed.
+  bool exactBends = true;  //!< Whether edges that bend strongly are corrected (correctBends()).
+  int mostIterations = 25; //!< Levenberg-Marquardt steps; 0 only evaluates the start.
+  //! A step is the last when what it leaves of the way is expected to be less than this share of a standard deviation.
+  double convergence = 0.15;
+};
+
+/*! Where a fit starts. */
+struct FitStart
+{
+  MarkerPlane plane;
+  std::optional<Photometry> photometry; //!< Nothing: taken from the image, by linear least squares.
+  std::optional<double> noise;          //!< Grey levels; nothing: taken from the residuals at the start.
+};
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
