@@ -60,13 +60,6 @@ bool looksLikeCode(const SectorReading &reading)
          std::abs(reading.middle - 0.5) <= mostOffMiddle;
 }
 
-// Turns the second pose so that its x axis has the image direction of the first pose's x axis.
-void copySpin(const MarkerPlane &from, MarkerPlane &to)
-{
-  const Eigen::Vector2d onTo = to.intersect(from.project(Eigen::Vector2d(1., 0.)));
-  to.spin(std::atan2(onTo.y(), onTo.x()));
-}
-
 // Whether the second of two readings came farther than the first.
 bool isFarther(const Judged<CodeReading> &first, const Judged<CodeReading> &second)
 {

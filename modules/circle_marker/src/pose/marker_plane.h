@@ -59,6 +59,13 @@ struct MarkerPlane
   }
 };
 
+/*! Turns the second pose about its normal so that its x axis has the image direction of the first pose's x axis. */
+inline void copySpin(const MarkerPlane &from, MarkerPlane &to)
+{
+  const Eigen::Vector2d onTo = to.intersect(from.project(Eigen::Vector2d(1., 0.)));
+  to.spin(std::atan2(onTo.y(), onTo.x()));
+}
+
 /*! How far the outline moves in the image from one pose to another, normalised coordinates, as four points show it. */
 inline double outlineMotion(const MarkerPlane &from, const MarkerPlane &to)
 {

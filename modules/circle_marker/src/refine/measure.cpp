@@ -75,7 +75,7 @@ MarkerPlane turnedTo(const MarkerPlane &plane, const Eigen::Vector3d &normal)
 
 // Where to start from: the two poses of the outline; or, if it is too round to show its tilt, four directions of tilt.
 // Facing the camera is a saddle of the likelihood, from which no descent leads away.
-std::vector<FitStart> startsOf(const PosePair &poses, const CameraModel &camera)
+std::vector<FitStart> startsOf(const PosePair &poses, const CameraModel &camera, bool spinIsKnown)
 {
   const MarkerPlane &plane = poses[0];
   const Eigen::Vector3d sight = plane.center.normalized();
@@ -84,7 +84,12 @@ std::vector<FitStart> startsOf(const PosePair &poses, const CameraModel &camera)
   const double radius = plane.radius / (plane.center.z() * meterPerPixel); // pixels
   const double leastTilt = std::sqrt(2. * outlineError / radius); // its cosine shortens an axis by outlineError
   if (std::acos(std::min(plane.rotation.col(2).dot(sight), 1.)) > leastTilt) {
-    return {{poses[0], std::nullopt, std::nullopt}, {poses[1], std::nullopt, std::nullopt}};
+    // Without a code the spins are any: what lies around the marker is known by its direction in one of them.
+    MarkerPlane second = poses[1];
+    if (!spinIsKnown) {
+      copySpin(poses[0], second);
+    }
+    return {{poses[0], std::nullopt, std::nullopt}, {second, std::nullopt, std::nullopt}};
   }
   const Eigen::Vector3d first = plane.rotation.col(0) - plane.rotation.col(0).dot(sight) * sight;
   const Eigen::Vector3d across = first.normalized();
@@ -171,7 +176,8 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   coarse.convergence = coarseConvergence;
   coarse.exactBends = false;
   coarse.mostIterations = refine ? coarseIterations : 0;
-  std::vector<FittedPose> fits = fitAll(memory.pixels, startsOf(marker.poses, camera), pattern, coarse, *memory.fitter);
+  std::vector<FittedPose> fits =
+      fitAll(memory.pixels, startsOf(marker.poses, camera, settings.spinIsKnown), pattern, coarse, *memory.fitter);
   if (fits.empty()) {
     return std::nullopt;
   }

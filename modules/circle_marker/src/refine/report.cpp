@@ -57,10 +57,38 @@ Eigen::Matrix3d crossMatrix(const Eigen::Vector3d &v)
   return matrix;
 }
 
+// Covariance of -w x t / 2, to be added to that of t: in (t, w) the error is normal, but delta is the logarithm of the
+// motion about the camera's centre, and t = v + w x C holds of it to first order only; to second order -w x t / 2 comes
+// in. From afar t is a long way in depth, and that term as large as the error across. Its second moment by Isserlis'
+// theorem (Biometrika 12, 1918).
+Eigen::Matrix3d secondOrder(const Eigen::Matrix<double, 6, 6> &covariance)
+{
+  const auto sign = [](int i, int j, int k) { return 0.5 * (i - j) * (j - k) * (k - i); };
+  const Eigen::Matrix3d tt = covariance.topLeftCorner<3, 3>();
+  const Eigen::Matrix3d wt = covariance.bottomLeftCorner<3, 3>();
+  const Eigen::Matrix3d ww = covariance.bottomRightCorner<3, 3>();
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      // Component i of a cross product has two terms: of the axes a and b that follow it, in either order.
+      for (const int a : {(i + 1) % 3, (i + 2) % 3}) {
+        for (const int c : {(j + 1) % 3, (j + 2) % 3}) {
+          const int b = 3 - i - a;
+          const int d = 3 - j - c;
+          moment(i, j) +=
+              0.25 * sign(i, a, b) * sign(j, c, d) * (wt(a, b) * wt(c, d) + ww(a, c) * tt(b, d) + wt(a, d) * wt(c, b));
+        }
+      }
+    }
+  }
+  return moment;
+}
+
 // From (t, w) about the marker's centre to (v, w) of exp(delta) about the camera's: t = v + w x C.
 vpMatrix covarianceInCamera(const FittedPose &fit, bool spinIsKnown)
 {
   Eigen::Matrix<double, 6, 6> local = fit.covariance;
+  local.topLeftCorner<3, 3>() += secondOrder(fit.covariance);
   if (!spinIsKnown) {
     const Eigen::Vector3d normal = fit.plane.rotation.col(2);
     local.bottomRightCorner<3, 3>() += unknownAngleVariance * normal * normal.transpose();
