@@ -51,8 +51,14 @@ constexpr double manyPixels = 20000.;
 // Last step of the coarse fit, in standard deviations, and its steps at most: a pose that fits badly creeps.
 constexpr double coarseConvergence = 0.5;
 constexpr int coarseIterations = 6;
+// Looks at few pixels: those around an outline that is off by more than the blur do not show where it should be.
+constexpr int mostLooks = 3;
+constexpr double farOff = 0.8; // pixels
 // Error with which the closed form knows the axes of the outline, pixels.
 constexpr double outlineError = 0.1;
+// Black that has grown by more than this on each side, pixels, three times what is expected of it at most, is another
+// ring.
+constexpr double mostGrowth = 0.9;
 // A pose whose log-odds against are beyond this on the coarse pixels is not refined any further.
 constexpr double hopelessOdds = 30.;
 
@@ -73,15 +79,19 @@ MarkerPlane turnedTo(const MarkerPlane &plane, const Eigen::Vector3d &normal)
   return turned;
 }
 
+// Size of a pixel at the marker's centre, normalised coordinates.
+double meterPerPixelAt(const MarkerPlane &plane, const CameraModel &camera)
+{
+  return camera.meterPerPixel(camera.toPixel(plane.project(Eigen::Vector2d::Zero()))).col(0).norm();
+}
+
 // Where to start from: the two poses of the outline; or, if it is too round to show its tilt, four directions of tilt.
 // Facing the camera is a saddle of the likelihood, from which no descent leads away.
 std::vector<FitStart> startsOf(const PosePair &poses, const CameraModel &camera, bool spinIsKnown)
 {
   const MarkerPlane &plane = poses[0];
   const Eigen::Vector3d sight = plane.center.normalized();
-  const double meterPerPixel =
-      camera.meterPerPixel(camera.toPixel(plane.project(Eigen::Vector2d::Zero()))).col(0).norm();
-  const double radius = plane.radius / (plane.center.z() * meterPerPixel); // pixels
+  const double radius = plane.radius / (plane.center.z() * meterPerPixelAt(plane, camera)); // pixels
   const double leastTilt = std::sqrt(2. * outlineError / radius); // its cosine shortens an axis by outlineError
   if (std::acos(std::min(plane.rotation.col(2).dot(sight), 1.)) > leastTilt) {
     // Without a code the spins are any: what lies around the marker is known by its direction in one of them.
@@ -159,30 +169,79 @@ void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
                  pixels.end());
   }
 }
+
+// Fits on the same pixels, the best first, and its noise.
+struct RankedFits
+{
+  std::vector<FittedPose> fits;
+  double noise = 0.;
+};
+
+// Coarse fits from all starts on few pixels around them; if the best has come far from its start, again on the pixels
+// around where it is now.
+RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                        const MarkerPattern &pattern, const FitSettings &settings, MeasureMemory &memory)
+{
+  RankedFits ranked;
+  std::vector<MarkerPlane> around(marker.poses.begin(), marker.poses.end());
+  std::vector<FitStart> starts = startsOf(marker.poses, camera, settings.spinIsKnown);
+  for (int look = 0; look < mostLooks; ++look) {
+    selectFewPixels(I, camera, around.data(), around.size(), pattern, commonBlur, memory.pixels);
+    dropCovered(marker, memory.pixels);
+    std::vector<FittedPose> fits = fitAll(memory.pixels, starts, pattern, settings, *memory.fitter);
+    if (fits.empty()) {
+      break;
+    }
+    ranked.noise = rank(memory.pixels, pattern, settings.exactBends, fits, *memory.fitter);
+    keepTwo(fits);
+    ranked.fits = fits;
+    const MarkerPlane &best = fits[0].plane;
+    const double motion = std::min(outlineMotion(marker.poses[0], best), outlineMotion(marker.poses[1], best));
+    if (look == 0 && motion < farOff * meterPerPixelAt(best, camera)) {
+      break;
+    }
+    around.clear();
+    starts.clear();
+    for (const FittedPose &fit : fits) {
+      around.push_back(fit.plane);
+      starts.push_back({fit.plane, std::nullopt, std::nullopt});
+    }
+  }
+  return ranked;
+}
+
+// Whether a ring has the design's ratio of radii, whatever the first look at it said: it fits, and black is not larger
+// or smaller than printers and cameras make it.
+bool isRightRing(const RankedFits &ranked)
+{
+  return !ranked.fits.empty() && ranked.fits[0].correlation >= leastCorrelationWithoutCode &&
+         std::abs(ranked.fits[0].photometry.blur.growth) < mostGrowth;
+}
 } // namespace
 
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
                                    const Recognition &marker, bool refine, MeasureMemory &memory)
 {
-  MarkerPattern pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
+  MarkerPattern pattern = patternOf(marker.family, marker.code.id, marker.family.getLayout().ringInner);
   FitSettings settings;
   settings.spinIsKnown = pattern.sectors > 0;
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
 
   // All starts on few pixels, to know which are worth more and how wide the blur is.
-  selectFewPixels(I, camera, marker.poses.data(), marker.poses.size(), pattern, commonBlur, memory.pixels);
-  dropCovered(marker, memory.pixels);
   FitSettings coarse = settings;
   coarse.convergence = coarseConvergence;
   coarse.exactBends = false;
   coarse.mostIterations = refine ? coarseIterations : 0;
-  std::vector<FittedPose> fits =
-      fitAll(memory.pixels, startsOf(marker.poses, camera, settings.spinIsKnown), pattern, coarse, *memory.fitter);
+  RankedFits few = fitFewPixels(I, camera, marker, pattern, coarse, memory);
+  if (marker.ringInner != marker.family.getLayout().ringInner && !isRightRing(few)) {
+    pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
+    few = fitFewPixels(I, camera, marker, pattern, coarse, memory);
+  }
+  std::vector<FittedPose> &fits = few.fits;
+  double noise = few.noise;
   if (fits.empty()) {
     return std::nullopt;
   }
-  double noise = rank(memory.pixels, pattern, false, fits, *memory.fitter);
-  keepTwo(fits);
 
   // Those that have a chance on all pixels.
   std::optional<FittedPose> hopeless;
