@@ -17,6 +17,7 @@
 
 #include "testRoomTools.h"
 
+#include "support/camera_model.h"
 #include "refine/image_model.h"
 #include "refine/line_model.h"
 

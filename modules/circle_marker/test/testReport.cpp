@@ -1,0 +1,107 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The covariance as the user gets it.
+ */
+
+#include "testRoomTools.h"
+
+#include <Eigen/Cholesky>
+
+#include <visp3/core/vpColVector.h>
+#include <visp3/core/vpExponentialMap.h>
+
+#include "refine/report.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+vpHomogeneousMatrix poseOf(const Eigen::Vector3d &center, const Eigen::Matrix3d &rotation)
+{
+  vpHomogeneousMatrix pose;
+  for (unsigned int i = 0; i < 3; ++i) {
+    for (unsigned int j = 0; j < 3; ++j) {
+      pose[i][j] = rotation(i, j);
+    }
+    pose[i][3] = center[i];
+  }
+  return pose;
+}
+
+//! A fit of a small marker far away: depth known to centimetres, normal to half a degree, the place across to 0.05 mm.
+FittedPose farFit(Random &random)
+{
+  FittedPose fit;
+  fit.plane.radius = 0.09;
+  fit.plane.center = uniform(random, 12., 16.) * Eigen::Vector3d(0.3, -0.2, 1.).normalized();
+  fit.plane.rotation = turn(uniform(random, 0.1, 0.6), Eigen::Vector3d(1., uniform(random, -1., 1.), 0.1));
+  const Eigen::Vector3d sight = fit.plane.center.normalized();
+  fit.covariance.setZero();
+  fit.covariance.topLeftCorner<3, 3>() =
+      5e-5 * 5e-5 * Eigen::Matrix3d::Identity() + 0.013 * 0.013 * sight * sight.transpose();
+  fit.covariance.bottomRightCorner<3, 3>() = 0.0065 * 0.0065 * Eigen::Matrix3d::Identity();
+  return fit;
+}
+} // namespace
+
+// Errors drawn from the covariance about the marker's centre, looked at as the convention has it: delta with
+// truth = exp(delta) pose. To first order alone the mean would be a quarter too large.
+TEST(Report, CovarianceOfDeltaIsRightToSecondOrder)
+{
+  Random random = randomOfTest();
+  Recognition marker;
+  marker.family = vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23);
+  marker.code.id = 3;
+  const CameraModel camera(vpCameraParameters(1600., 1600., 639.5, 479.5));
+  std::normal_distribution<double> normal(0., 1.);
+  double mean = 0.;
+  constexpr int fits = 5, draws = 4000;
+  for (int i = 0; i < fits; ++i) {
+    Measurement measurement;
+    measurement.first = farFit(random);
+    const vpCircleMarkerDetection detection = reportOf(marker, measurement, camera, 1., true);
+    // Metres and radians to the same size, for the inverse.
+    Eigen::Matrix<double, 6, 6> covariance;
+    Eigen::Matrix<double, 6, 1> scale;
+    for (unsigned int k = 0; k < 6; ++k) {
+      scale[k] = 1. / std::sqrt(detection.covariance[k][k]);
+    }
+    for (unsigned int k = 0; k < 6; ++k) {
+      for (unsigned int l = 0; l < 6; ++l) {
+        covariance(k, l) = scale[k] * detection.covariance[k][l] * scale[l];
+      }
+    }
+    const Eigen::LLT<Eigen::Matrix<double, 6, 6>> known(covariance);
+    const Eigen::Matrix<double, 6, 6> root = measurement.first.covariance.llt().matrixL();
+    for (int draw = 0; draw < draws; ++draw) {
+      Eigen::Matrix<double, 6, 1> error;
+      for (int k = 0; k < 6; ++k) {
+        error[k] = normal(random);
+      }
+      error = (root * error).eval();
+      const Eigen::Vector3d turned = error.tail<3>();
+      const vpHomogeneousMatrix truth =
+          poseOf(measurement.first.plane.center + error.head<3>(),
+                 Eigen::AngleAxisd(turned.norm(), turned.normalized()) * measurement.first.plane.rotation);
+      const vpColVector delta = vpExponentialMap::inverse(truth * detection.cMo.inverse());
+      Eigen::Matrix<double, 6, 1> scaled;
+      for (unsigned int k = 0; k < 6; ++k) {
+        scaled[k] = scale[k] * delta[k];
+      }
+      mean += scaled.dot(known.solve(scaled)) / (fits * draws);
+    }
+  }
+  EXPECT_NEAR(mean, 6., 0.15); // its own standard deviation is 0.03
+}
