@@ -18,6 +18,7 @@
 #include "testRoomTools.h"
 
 #include "refine/plane_point.h"
+#include "refine/fit_pixels.h"
 #include "refine/image_model.h"
 
 using namespace circle_marker;
