@@ -15,8 +15,10 @@
  * What neighbouring pixels pull together.
  */
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Cholesky>
 
@@ -26,54 +28,103 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 namespace {
-// With fewer clusters of pixels than this, their pulls tell nothing.
-constexpr std::size_t leastClusters = 10;
-// The ratio counts if it is above that of independent noise by this many of its standard deviations.
+// Neighbouring directions are taken together, two and two, down to this number of parts: what is the same over a wide
+// part of the marker shows when wide parts are compared, what is not when there are many of them.
+constexpr std::size_t leastCount = 8;
+// With fewer parts of it that have pixels than this share, their pulls tell nothing.
+constexpr double leastParts = 0.75;
+// The ratio counts if it is above what independent noise exceeds with the probability of this many standard deviations
+// of a normal distribution: once in 740.
 constexpr double clearOfChance = 3.;
 // With normal noise, mean of (w r)^2 over that of w for the biweight's weights w.
 constexpr double pullOfNoise = 0.6605;
-} // namespace
 
-double Likelihood::coherence(const ParameterVector &step, double noise) const
+using PoseMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, poseSize, poseSize>;
+using PoseVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, poseSize, 1>;
+// How far a pull moves the pose, when all other parameters follow.
+using Influence = Eigen::Matrix<double, Eigen::Dynamic, parameters, 0, poseSize, parameters>;
+
+// What a part of the pixels does to the pose.
+struct Part
 {
-  const std::vector<ClusterSums> &clusters = m_memory.clusters;
-  if (clusters.size() < leastClusters) {
+  PoseVector motion;      // by its pull
+  PoseMatrix information; // covariance of that motion with independent noise of variance 1
+  bool isSeen = false;
+};
+
+// step: the last one from where the sums were made.
+Part partOf(const SumsOfDirection &sums, const Influence &influence, const ParameterVector &step)
+{
+  ParameterMatrix information;
+  ParameterVector pull;
+  std::size_t k = 0;
+  for (int i = 0; i < parameters; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      information(i, j) = static_cast<double>(sums[k++].sum());
+      information(j, i) = information(i, j);
+    }
+    pull[i] = static_cast<double>(sums[static_cast<std::size_t>(products + i)].sum());
+  }
+  return {influence * (pull - information * step), influence * information * influence.transpose(),
+          information(0, 0) > 0.};
+}
+
+// By how much the parts together move the pose more than independent noise would; 1 if that is within chance.
+double excessOf(const std::vector<Part> &parts, const Eigen::LDLT<PoseMatrix> &known, double noise)
+{
+  const Eigen::Index fitted = known.rows();
+  PoseMatrix moved = PoseMatrix::Zero(fitted, fitted);
+  double squaredShares = 0.;
+  std::size_t seen = 0;
+  for (const Part &part : parts) {
+    moved += part.motion * part.motion.transpose();
+    const PoseMatrix share = known.solve(part.information);
+    squaredShares += (share * share).trace() / static_cast<double>(fitted);
+    seen += part.isSeen ? 1 : 0;
+  }
+  if (static_cast<double>(seen) < leastParts * static_cast<double>(parts.size())) {
     return 1.;
   }
-  using PoseMatrix = Eigen::Matrix<double, poseSize, poseSize>;
-  using PoseVector = Eigen::Matrix<double, poseSize, 1>;
-  PoseMatrix all = PoseMatrix::Zero(), pulls = PoseMatrix::Zero();
-  std::array<PoseMatrix, mostClusters> information;
-  for (std::size_t c = 0; c < clusters.size(); ++c) {
-    ParameterMatrix matrix;
-    std::size_t k = 0;
-    for (int i = 0; i < parameters; ++i) {
-      for (int j = 0; j <= i; ++j) {
-        matrix(i, j) = clusters[c][k++];
-        matrix(j, i) = matrix(i, j);
-      }
-    }
-    information[c] = matrix.topLeftCorner<poseSize, poseSize>();
-    const PoseVector before = Eigen::Map<const PoseVector>(clusters[c].data() + products);
-    const PoseVector pull = before - matrix.topRows<poseSize>() * step;
-    all += information[c];
-    pulls += pull * pull.transpose();
-  }
-  // The pulls' sum is 0 after the fit, which takes a little away; the share of each cluster in what is known tells how
+  // The motions' sum is 0 after the fit, which takes a little away; the share of each part in what is known tells how
   // much that is, and how much the ratio varies by chance.
-  const int fitted = m_settings.spinIsKnown ? poseSize : spinAt;
-  const Eigen::LDLT<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, poseSize, poseSize>> known(
-      all.topLeftCorner(fitted, fitted));
-  double squaredShares = 0.;
-  for (std::size_t i = 0; i < clusters.size(); ++i) {
-    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, poseSize, poseSize> share =
-        known.solve(information[i].topLeftCorner(fitted, fitted));
-    squaredShares += (share * share).trace() / fitted;
+  const double expected = pullOfNoise * noise * noise * (1. - squaredShares) * static_cast<double>(fitted);
+  const double ratio = known.solve(moved).trace() / expected;
+  // By chance it is distributed as chi^2 / n, whose variance is 2 / n; its quantile by Wilson and Hilferty (Proceedings
+  // of the National Academy of Sciences 17, 1931).
+  const double perFreedom = 2. / 9. * squaredShares / static_cast<double>(fitted);
+  const double mostByChance = std::pow(1. - perFreedom + clearOfChance * std::sqrt(perFreedom), 3.);
+  return ratio > mostByChance ? ratio : 1.;
+}
+
+// Each part with the one that follows it.
+std::vector<Part> pairsOf(const std::vector<Part> &parts)
+{
+  std::vector<Part> pairs;
+  for (std::size_t k = 0; k + 1 < parts.size(); k += 2) {
+    pairs.push_back({parts[k].motion + parts[k + 1].motion, parts[k].information + parts[k + 1].information,
+                     parts[k].isSeen || parts[k + 1].isSeen});
   }
-  const double expected = pullOfNoise * noise * noise * (1. - squaredShares);
-  const double ratio = known.solve(pulls.topLeftCorner(fitted, fitted)).trace() / (fitted * expected);
-  const double byChance = std::sqrt(2. * squaredShares / fitted);
-  return ratio > 1. + clearOfChance * byChance ? ratio : 1.;
+  return pairs;
+}
+} // namespace
+
+double Likelihood::coherence(const ParameterMatrix &inverse, const ParameterVector &step, double noise) const
+{
+  const int fitted = m_settings.spinIsKnown ? poseSize : spinAt;
+  const Influence influence = inverse.topRows(fitted);
+  const Eigen::LDLT<PoseMatrix> known(inverse.topLeftCorner(fitted, fitted));
+  std::vector<Part> parts;
+  for (std::size_t direction = 0; direction < directions; ++direction) {
+    parts.push_back(direction < m_memory.sums.size()
+                        ? partOf(m_memory.sums[direction], influence, step)
+                        : Part{PoseVector::Zero(fitted), PoseMatrix::Zero(fitted, fitted)});
+  }
+  double largest = excessOf(parts, known, noise);
+  while (parts.size() > leastCount) {
+    parts = pairsOf(parts);
+    largest = std::max(largest, excessOf(parts, known, noise));
+  }
+  return largest;
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

@@ -70,12 +70,6 @@ template <class Use> void forEachBlock(const PixelBlocks &blocks, const Use &use
   }
 }
 
-// Number of all blocks.
-inline std::size_t blockCount(const PixelBlocks &blocks)
-{
-  return blocks.bySight[0].size() + blocks.bySight[1].size() + blocks.bySight[2].size();
-}
-
 // The grey levels of a block as the model has them.
 struct GreyLanes
 {

@@ -42,38 +42,39 @@ constexpr double surroundPrior = 0.5;
 // In the first guess of light and contrast, before the noise is known, a pixel with this variance, grey levels^2, from
 // the surround counts half.
 constexpr float guessedVariance = 25.f;
-// Blocks whose products are summed up at once, so that each sum is loaded and stored once for all of them; and groups
-// of these whose sums are taken in single precision before they go to double.
+// Blocks whose products are summed up at once, so that each sum is loaded and stored once for all of them.
 constexpr std::size_t blocksOfGroup = 4;
-constexpr std::size_t groupsToFlush = 8;
 
-// Sums of one pass, in lanes and then in double precision, cluster by cluster.
+// Sums of one pass in lanes, direction by direction: few enough for single precision.
 class Sums
 {
 public:
-  // blocks: their number; clusters: into how many they are divided at most.
-  Sums(std::size_t blocks, std::size_t clusters, std::vector<ClusterSums> &sums) : m_sums(sums)
-  {
-    const std::size_t groups = (blocks + blocksOfGroup - 1) / blocksOfGroup;
-    m_groupsOfCluster = std::max<std::size_t>((groups + clusters - 1) / clusters, 1);
-    m_sums.clear();
-    clear();
-  }
+  explicit Sums(std::vector<SumsOfDirection> &sums) : m_sums(sums) { m_sums.clear(); }
 
   // The row of the next block, to be filled in before add().
   RowLanes &row() { return m_rows[m_pending]; }
 
-  void add(const Lanes &residual, const LossLanes &loss)
+  void add(const Lanes &residual, const LossLanes &loss, std::size_t direction)
   {
+    if (m_pending == 0) {
+      m_direction = direction;
+    }
+    while (m_direction >= m_sums.size()) {
+      m_sums.emplace_back();
+      for (Lanes &lanes : m_sums.back()) {
+        lanes.setZero();
+      }
+    }
+    SumsOfDirection &sums = m_sums[m_direction];
     const RowLanes &row = m_rows[m_pending];
-    std::array<Lanes, parameters> &weighted = m_weighted[m_pending];
+    RowLanes &weighted = m_weighted[m_pending];
     for (std::size_t i = 0; i < parameters; ++i) {
       weighted[i] = loss.weight * row[i];
-      m_lanes[products + i] += weighted[i] * residual;
+      sums[products + i] += weighted[i] * residual;
     }
-    m_lanes[costAt] += loss.cost;
-    m_lanes[squaresAt] += loss.tells * loss.weight * residual.square();
-    m_lanes[keptAt] += loss.tells * loss.kept;
+    sums[costAt] += loss.cost;
+    sums[squaresAt] += loss.tells * loss.weight * residual.square();
+    sums[keptAt] += loss.tells * loss.kept;
     if (++m_pending == blocksOfGroup) {
       closeGroup();
     }
@@ -90,20 +91,17 @@ public:
       }
       closeGroup();
     }
-    if (m_groups > 0) {
-      flush();
-    }
-    ClusterSums total = {};
-    for (const ClusterSums &cluster : m_sums) {
-      for (std::size_t k = 0; k < sumsOfCluster; ++k) {
-        total[k] += cluster[k];
+    std::array<double, sumsOfDirection> total = {};
+    for (const SumsOfDirection &sums : m_sums) {
+      for (std::size_t k = 0; k < sumsOfDirection; ++k) {
+        total[k] += static_cast<double>(sums[k].sum());
       }
     }
     Equations result;
-    int k = 0;
+    std::size_t k = 0;
     for (int i = 0; i < parameters; ++i) {
       for (int j = 0; j <= i; ++j) {
-        result.matrix(i, j) = total[static_cast<std::size_t>(k++)];
+        result.matrix(i, j) = total[k++];
         result.matrix(j, i) = result.matrix(i, j);
       }
       result.right[i] = total[static_cast<std::size_t>(products + i)];
@@ -119,51 +117,27 @@ private:
   static constexpr std::size_t squaresAt = costAt + 1;
   static constexpr std::size_t keptAt = costAt + 2;
 
-  void clear()
-  {
-    for (Lanes &lanes : m_lanes) {
-      lanes.setZero();
-    }
-  }
-
   void closeGroup()
   {
+    SumsOfDirection &sums = m_sums[m_direction];
     std::size_t k = 0;
     for (std::size_t i = 0; i < parameters; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
-        Lanes sum = m_lanes[k];
+        Lanes sum = sums[k];
         for (std::size_t block = 0; block < blocksOfGroup; ++block) {
           sum += m_weighted[block][i] * m_rows[block][j];
         }
-        m_lanes[k++] = sum;
+        sums[k++] = sum;
       }
     }
     m_pending = 0;
-    ++m_groups;
-    if (m_groups % groupsToFlush == 0 || m_groups % m_groupsOfCluster == 0) {
-      flush();
-    }
   }
 
-  void flush()
-  {
-    const std::size_t cluster = (m_groups - 1) / m_groupsOfCluster;
-    if (cluster >= m_sums.size()) {
-      m_sums.resize(cluster + 1);
-    }
-    for (std::size_t k = 0; k < sumsOfCluster; ++k) {
-      m_sums[cluster][k] += static_cast<double>(m_lanes[k].sum());
-    }
-    clear();
-  }
-
-  std::array<Lanes, sumsOfCluster> m_lanes;
   std::array<RowLanes, blocksOfGroup> m_rows;
   std::array<RowLanes, blocksOfGroup> m_weighted;
-  std::size_t m_pending = 0; // blocks of the present group
-  std::size_t m_groups = 0;
-  std::size_t m_groupsOfCluster;
-  std::vector<ClusterSums> &m_sums;
+  std::size_t m_pending = 0;   // blocks of the present group
+  std::size_t m_direction = 0; // of its first
+  std::vector<SumsOfDirection> &m_sums;
 };
 
 } // namespace
@@ -219,10 +193,11 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
 Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &photometry, double noise)
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
-  // Coherence is not asked for where bends are not corrected: it is for a final fit.
-  Sums sums(blockCount(m_memory.blocks), m_settings.exactBends ? mostClusters : 1, m_memory.trialClusters);
+  Sums sums(m_memory.trialSums);
   m_memory.trial.clear();
   DarknessLanes darkness;
+  std::size_t k = 0;
+  PixelSight last = PixelSight::RING;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
     const GreyLanes grey = greyOf(block, photometry, darkness.value);
@@ -232,7 +207,11 @@ Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &phot
     loss.cost *= holds;
     loss.kept *= holds;
     rowOf(block, photometry, darkness, grey, sums.row());
-    sums.add(grey.residual, loss);
+    k = sight == last ? k : 0;
+    last = sight;
+    const std::size_t direction = m_memory.blocks.direction[static_cast<std::size_t>(sight)][k++];
+    // Coherence is not asked for where bends are not corrected: it is for a final fit.
+    sums.add(grey.residual, loss, m_settings.exactBends ? direction : 0);
   });
   Equations equations = sums.equations();
   constrain(photometry, noise, equations);

@@ -87,17 +87,20 @@ public:
   void keepResiduals()
   {
     m_memory.residuals.swap(m_memory.trial);
-    m_memory.clusters.swap(m_memory.trialClusters);
+    m_memory.sums.swap(m_memory.trialSums);
   }
 
   /*!
-    How much more neighbouring pixels pull together than independent noise would make them, after a last step from the
-    sums kept: the mean ratio of the variances of the pulls' sums over clusters of pixels. 1 if that is within chance or
-    the pixels are too few to tell; more if the print is bent, moved or lit in a way that the model does not know. It is
-    the factor between the sandwich covariance with these clusters (White, Econometrica 48, 1980) and that of the normal
-    equations.
+    How much more the estimate varies than with independent noise, by what neighbouring pixels pull together: the mean
+    over the pose's parameters of the ratio of the sandwich covariance (White, Econometrica 48, 1980), with the
+    pixels of a direction from the centre taken together, and that of the normal equations. 1 if that is within
+    chance or the pixels are too few to tell; more if the print is bent, moved or lit in a way that the model does not
+    know.
+    \param inverse : Of the matrix of the equations kept.
+    \param step : Last step from where these were made.
+    \param noise : Grey levels.
   */
-  double coherence(const ParameterVector &step, double noise) const;
+  double coherence(const ParameterMatrix &inverse, const ParameterVector &step, double noise) const;
 
   /*! The residuals at a pose, without equations. */
   void evaluate(const MarkerPlane &plane, const Photometry &photometry);

@@ -260,7 +260,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
   if (!inverse.allFinite()) {
     return std::nullopt;
   }
-  const double coherence = settings.exactBends ? fit.coherence(lastStep, noise) : 1.;
+  const double coherence = settings.exactBends ? fit.coherence(inverse, lastStep, noise) : 1.;
   Eigen::Matrix<double, 6, 6> covariance =
       coherence * biweightCovariance * result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
   if (!settings.spinIsKnown) {

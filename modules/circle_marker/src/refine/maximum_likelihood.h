@@ -58,13 +58,11 @@ constexpr int parameters = surroundAt + static_cast<int>(paperShapes);
 using ParameterVector = Eigen::Matrix<double, parameters, 1>;
 using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
 
-// Sums over a cluster of neighbouring pixels: the lower triangle of the equations' matrix, row by row, their right-hand
-// side, the cost and what it takes to know the noise.
+// Sums over the pixels of a direction: the lower triangle of the equations' matrix, row by row, their right-hand side,
+// the cost and what it takes to know the noise.
 constexpr int products = parameters * (parameters + 1) / 2;
-constexpr std::size_t sumsOfCluster = products + parameters + 3;
-using ClusterSums = std::array<double, sumsOfCluster>;
-/*! Clusters that the pixels are divided into at most. */
-constexpr std::size_t mostClusters = 32;
+constexpr std::size_t sumsOfDirection = products + parameters + 3;
+using SumsOfDirection = std::array<Lanes, sumsOfDirection>;
 
 /*! Working memory of fits, used again from one to the next. */
 struct FitMemory
@@ -73,8 +71,8 @@ struct FitMemory
   std::vector<Lanes> residuals;           //!< Of the present parameters, block by block, grey levels.
   std::vector<Lanes> trial;               //!< Of the last pass.
   std::vector<float> absolute;            //!< For the median.
-  std::vector<ClusterSums> clusters;      //!< Of the present parameters.
-  std::vector<ClusterSums> trialClusters; //!< Of the last pass.
+  std::vector<SumsOfDirection> sums;      //!< Of the present parameters.
+  std::vector<SumsOfDirection> trialSums; //!< Of the last pass.
 };
 
 /*!

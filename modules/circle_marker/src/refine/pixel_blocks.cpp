@@ -173,13 +173,15 @@ public:
   // Where pixels are on the marker's plane.
   void look(const PlaceLanes &place, PlaneLanes &point) const { m_homography.apply(place, point); }
 
-  void put(const FitPixel &pixel, PixelSight sight, const PlaceLanes &place, Eigen::Index from)
+  // direction: of the pixel from the marker's centre.
+  void put(const FitPixel &pixel, PixelSight sight, std::size_t direction, const PlaceLanes &place, Eigen::Index from)
   {
     const auto kind = static_cast<std::size_t>(sight);
     const std::size_t lane = m_blocks.count[kind]++ % laneCount;
     std::vector<PixelBlock> &group = m_blocks.bySight[kind];
     if (lane == 0) {
       group.push_back(m_empty);
+      m_blocks.direction[kind].push_back(static_cast<unsigned char>(direction));
     }
     PixelBlock &block = group.back();
     const auto to = static_cast<Eigen::Index>(lane);
@@ -251,13 +253,62 @@ PixelSight sightOf(float radius, float margin, const MarkerPattern &pattern)
   }
   return radius < static_cast<float>(pattern.ring[1].radius) - margin ? PixelSight::TRACK : PixelSight::RING_AND_TRACK;
 }
+// Places of eight pixels in the units of the blocks.
+void placeOf(const FitPixel *pixels, Eigen::Index count, const ImageReference &reference, PlaceLanes &place)
+{
+  const double perUnit = 1. / reference.unit;
+  for (Eigen::Index lane = 0; lane < count; ++lane) {
+    const ModelPixel &model = pixels[lane].model;
+    place.x[lane] = static_cast<float>(perUnit * (model.meter.x() - reference.meter.x()));
+    place.y[lane] = static_cast<float>(perUnit * (model.meter.y() - reference.meter.y()));
+    place.xByU[lane] = static_cast<float>(perUnit * model.meterPerPixel(0, 0));
+    place.xByV[lane] = static_cast<float>(perUnit * model.meterPerPixel(0, 1));
+    place.yByU[lane] = static_cast<float>(perUnit * model.meterPerPixel(1, 0));
+    place.yByV[lane] = static_cast<float>(perUnit * model.meterPerPixel(1, 1));
+  }
+}
+
+// Looks where all pixels are on the marker and sorts them: by kind, then by direction.
+void sortPixels(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, double seen, const Packer &packer,
+                PixelBlocks &blocks)
+{
+  constexpr float perTurn = static_cast<float>(directions) / 6.2831853f;
+  std::array<unsigned int, pixelSights *directions + 1> start = {};
+  blocks.places.clear();
+  blocks.bins.resize(pixels.size());
+  PlaceLanes place = emptyBlock().place;
+  PlaneLanes point;
+  for (std::size_t first = 0; first < pixels.size(); first += laneCount) {
+    const std::size_t count = std::min<std::size_t>(laneCount, pixels.size() - first);
+    placeOf(&pixels[first], static_cast<Eigen::Index>(count), blocks.reference, place);
+    blocks.places.push_back(place);
+    packer.look(place, point);
+    const Lanes direction = perTurn * (roughAngle(point.qx, point.qy) + 3.1415927f);
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto lane = static_cast<Eigen::Index>(k);
+      const PixelSight sight = sightOf(point.radius[lane], static_cast<float>(seen) * point.gradient[lane], pattern);
+      const std::size_t bin = static_cast<std::size_t>(sight) * directions +
+                              std::min(static_cast<std::size_t>(direction[lane]), directions - 1);
+      blocks.bins[first + k] = static_cast<unsigned char>(bin);
+      ++start[bin + 1];
+    }
+  }
+  for (std::size_t bin = 1; bin < start.size(); ++bin) {
+    start[bin] += start[bin - 1];
+  }
+  blocks.sortedPixels.resize(pixels.size());
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    blocks.sortedPixels[start[blocks.bins[k]]++] = static_cast<unsigned int>(k);
+  }
+}
 } // namespace
 
 void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
                 const Photometry &photometry, double noise, PixelBlocks &blocks)
 {
-  for (std::vector<PixelBlock> &group : blocks.bySight) {
-    group.clear();
+  for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+    blocks.bySight[kind].clear();
+    blocks.direction[kind].clear();
   }
   blocks.count.fill(0);
   if (pixels.empty()) {
@@ -268,25 +319,10 @@ void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, c
   const double seen = reachOfEdges * photometry.blur.sigma + poseErrorOfSorting; // pixels
   blocks.borders = pattern.sectors > 0 ? bordersSeen(plane, pattern, blocks.reference.unit, seen) : 0;
   Packer packer(plane, pattern, photometry, noise, blocks);
-  const double perUnit = 1. / blocks.reference.unit;
-  PlaceLanes place = emptyBlock().place;
-  PlaneLanes point;
-  for (std::size_t start = 0; start < pixels.size(); start += laneCount) {
-    const auto count = static_cast<Eigen::Index>(std::min<std::size_t>(laneCount, pixels.size() - start));
-    for (Eigen::Index lane = 0; lane < count; ++lane) {
-      const ModelPixel &model = pixels[start + static_cast<std::size_t>(lane)].model;
-      place.x[lane] = static_cast<float>(perUnit * (model.meter.x() - blocks.reference.meter.x()));
-      place.y[lane] = static_cast<float>(perUnit * (model.meter.y() - blocks.reference.meter.y()));
-      place.xByU[lane] = static_cast<float>(perUnit * model.meterPerPixel(0, 0));
-      place.xByV[lane] = static_cast<float>(perUnit * model.meterPerPixel(0, 1));
-      place.yByU[lane] = static_cast<float>(perUnit * model.meterPerPixel(1, 0));
-      place.yByV[lane] = static_cast<float>(perUnit * model.meterPerPixel(1, 1));
-    }
-    packer.look(place, point);
-    for (Eigen::Index lane = 0; lane < count; ++lane) {
-      const PixelSight sight = sightOf(point.radius[lane], static_cast<float>(seen) * point.gradient[lane], pattern);
-      packer.put(pixels[start + static_cast<std::size_t>(lane)], sight, place, lane);
-    }
+  sortPixels(pixels, pattern, seen, packer, blocks);
+  for (const unsigned int k : blocks.sortedPixels) {
+    packer.put(pixels[k], static_cast<PixelSight>(blocks.bins[k] / directions), blocks.bins[k] % directions,
+               blocks.places[k / laneCount], static_cast<Eigen::Index>(k % laneCount));
   }
   packer.finish();
 }

@@ -46,6 +46,9 @@ constexpr std::size_t pixelSights = 3;
 /*! Borders between sectors that a pixel may see: the nearest one and as many to either side. */
 constexpr int mostBorders = 5;
 
+/*! Sectors around the marker's centre by which neighbouring pixels are told from others. */
+constexpr std::size_t directions = 32;
+
 /*! Variance of a lane that holds no pixel, grey levels^2. */
 constexpr float noPixel = 1e30f;
 
@@ -73,6 +76,13 @@ struct PixelBlocks
   int borders = mostBorders;                                //!< Borders that a pixel may see: 1, 3 or 5.
   std::array<std::vector<PixelBlock>, pixelSights> bySight; //!< Blocks of each kind.
   std::array<std::size_t, pixelSights> count = {{0, 0, 0}}; //!< Pixels of each kind.
+  //! Direction from the marker's centre, below \e directions, of each block's first pixel: pixels come in its order.
+  std::array<std::vector<unsigned char>, pixelSights> direction;
+
+  // Working memory of packPixels().
+  std::vector<PlaceLanes> places;         //!< Of all pixels, in their order.
+  std::vector<unsigned char> bins;        //!< Kind and direction of each pixel.
+  std::vector<unsigned int> sortedPixels; //!< Their numbers, by bin.
 };
 
 /*!
