@@ -210,6 +210,11 @@ TEST(Identify, MarginContrastAndResidualAreDemanded)
   SectorReading unexplained = clear;
   unexplained.residual = 0.5;
   EXPECT_FALSE(identify(unexplained, family, DecodeSettings()));
+  SectorReading spot = clear; // of light: far whiter than the paper around
+  spot.middle = 2.5;
+  EXPECT_EQ(identify(spot, family, DecodeSettings()).reason(), vpCircleMarkerReject::NO_SECTORS);
+  spot.middle = 1.; // a quiet zone that looks grey, of a small marker on black ground
+  EXPECT_TRUE(identify(spot, family, DecodeSettings()));
 }
 
 TEST(Identify, MarkersOfOtherFamiliesAreNotMistaken)

@@ -1,0 +1,108 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Tests that no marker is found twice, and that nothing of other systems is taken for one.
+ */
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "detector_scenes.h"
+
+using namespace detector_test;
+
+namespace {
+//! Pairs of detections that are the same thing in the image: nearer to each other than half of their size.
+std::size_t duplicates(const std::vector<vpCircleMarkerDetection> &found)
+{
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      const double distance = vpImagePoint::distance(found[i].center, found[k].center);
+      pairs += distance < 0.5 * std::max(found[i].ellipse.a, found[k].ellipse.a) ? 1 : 0;
+    }
+  }
+  return pairs;
+}
+} // namespace
+
+TEST(DetectorDuplicates, NoMarkerIsFoundTwice)
+{
+  Random random = randomOfTest();
+  const std::vector<vpCircleMarkerFamily> families = {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31R,
+                                                      vpCircleMarkerFamily::BCH31, vpCircleMarkerFamily::RING};
+  vpDetectorCircleMarker all;
+  all.setFamilies(families);
+  std::size_t found = 0;
+  for (int image = 0; image < 20; ++image) {
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    vpScenePhotometry photometry;
+    // Sharp, for the image itself, to blurred, for its half: both see many outlines.
+    photometry.blurSigma = uniform(random, 0.4, 2.5);
+    photometry.noiseSigma = uniform(random, 0., 6.);
+    simulator.setPhotometry(photometry);
+    simulator.setBackground(vpSceneBackground::clutter(random(), 20));
+    constexpr int columns = 4;
+    for (int i = 0; i < 3 * columns; ++i) {
+      const vpCircleMarkerFamily &family = families[random() % families.size()];
+      vpSimulatedMarker marker = printed(family, randomId(random, family));
+      simulator.addMarker(
+          marker.setPose(randomPose(random, uniform(random, 20., 110.), uniform(random, 0., 1.1),
+                                    width * (i % columns + 0.5) / columns, height * (i / columns + 0.5) / 3.)));
+    }
+    vpImage<unsigned char> I;
+    simulator.render(I, random());
+    all.detect(I);
+    EXPECT_EQ(duplicates(all.getDetections()), 0u) << "image " << image;
+    found += all.getNbObjects();
+  }
+  EXPECT_GT(found, 150u);
+}
+
+// Seen among simulated clutter: the slope around the spot read as a code of black and white sectors.
+TEST(DetectorPhantoms, BrightSpotsWithADarkRimHaveNoCode)
+{
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector;
+  detector.setFamilies({vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31R, vpCircleMarkerFamily::BCH31});
+  for (int image = 0; image < 60; ++image) {
+    cv::Mat large(2 * height, 2 * width, CV_8U, cv::Scalar(uniform(random, 40., 150.)));
+    for (int i = 0; i < 80; ++i) {
+      const double ground = large.at<unsigned char>(0, 0);
+      const cv::Point center(static_cast<int>(uniform(random, 40., 2. * width - 40.)),
+                             static_cast<int>(uniform(random, 40., 2. * height - 40.)));
+      const double a = uniform(random, 8., 40.);
+      const double b = a * uniform(random, 0.4, 1.);
+      const double spot = uniform(random, 0.35, 0.75);
+      const double angle = uniform(random, 0., 180.);
+      const auto fill = [&](double share, double grey) {
+        cv::ellipse(large, center, cv::Size(static_cast<int>(share * a), static_cast<int>(share * b)), angle, 0., 360.,
+                    cv::Scalar(grey), cv::FILLED, cv::LINE_AA);
+      };
+      fill(1., ground - uniform(random, 15., 40.));
+      fill(spot, uniform(random, 180., 250.));
+    }
+    vpImage<unsigned char> I(height, width);
+    cv::Mat pixels(height, width, CV_8U, I.bitmap);
+    cv::resize(large, pixels, pixels.size(), 0., 0., cv::INTER_AREA);
+    cv::GaussianBlur(pixels, pixels, cv::Size(), 0.7);
+    std::normal_distribution<double> normal(0., 2.);
+    for (unsigned int i = 0; i < I.getSize(); ++i) {
+      I.bitmap[i] = cv::saturate_cast<unsigned char>(I.bitmap[i] + normal(random));
+    }
+    EXPECT_FALSE(detector.detect(I)) << "image " << image << ": " << detector.getMessage(0);
+  }
+}
