@@ -1,0 +1,275 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Tests of the detector's account of what its rooms see, and why candidates are no markers.
+ */
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "detector_scenes.h"
+
+using namespace detector_test;
+using Reject = vpCircleMarkerReject;
+
+namespace {
+vpImage<unsigned char> sheet(unsigned char grey = 220)
+{
+  return vpImage<unsigned char>(height, width, grey);
+}
+
+cv::Mat pixelsOf(vpImage<unsigned char> &I)
+{
+  return cv::Mat(static_cast<int>(I.getHeight()), static_cast<int>(I.getWidth()), CV_8U, I.bitmap);
+}
+
+//! Reasons of the outlines around a point, latest last; of chains there, if there is no outline.
+std::set<Reject> reasonsAt(const vpDetectorCircleMarker &detector, double u, double v)
+{
+  std::set<Reject> outlines, chains;
+  for (const vpCircleMarkerCandidate &candidate : detector.getRejectedCandidates()) {
+    const vpImagePoint place = candidate.ellipse.a > 0. ? candidate.ellipse.center : candidate.points.front();
+    const double reach = candidate.ellipse.a > 0. ? 5. : 120.;
+    if (vpImagePoint::distance(place, vpImagePoint(v, u)) < reach) {
+      (candidate.isOutline ? outlines : chains).insert(candidate.reason);
+    }
+  }
+  return outlines.empty() ? chains : outlines;
+}
+
+constexpr double middleU = 320.;
+constexpr double middleV = 240.;
+
+//! Reasons for what is drawn in the middle of a white sheet.
+template <class Draw> std::set<Reject> reasonsFor(vpDetectorCircleMarker &detector, const Draw &draw)
+{
+  vpImage<unsigned char> I = sheet();
+  cv::Mat pixels = pixelsOf(I);
+  draw(pixels);
+  cv::GaussianBlur(pixels, pixels, cv::Size(), 0.7);
+  detector.setDebug(true);
+  detector.detect(I);
+  return reasonsAt(detector, middleU, middleV);
+}
+
+const cv::Point middle(320, 240);
+
+void drawRing(cv::Mat &pixels, int outer, int inner, int ink = 30, int inside = 220)
+{
+  cv::circle(pixels, middle, outer, cv::Scalar(ink), cv::FILLED, cv::LINE_AA);
+  cv::circle(pixels, middle, inner, cv::Scalar(inside), cv::FILLED, cv::LINE_AA);
+}
+} // namespace
+
+TEST(DetectorDebug, NothingIsKeptUnlessAsked)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I =
+      imageOf(printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(randomPose(random, 100., 0.4)), random);
+  vpDetectorCircleMarker detector;
+  ASSERT_TRUE(detector.detect(I));
+  EXPECT_TRUE(detector.getDebug().candidates.empty());
+  EXPECT_TRUE(detector.getDebug().scales.empty());
+  EXPECT_TRUE(detector.getRejectedCandidates().empty());
+  detector.setDebug(true);
+  ASSERT_TRUE(detector.detect(I));
+  EXPECT_FALSE(detector.getDebug().candidates.empty());
+  detector.setDebug(false);
+  EXPECT_TRUE(detector.getDebug().candidates.empty());
+}
+
+TEST(DetectorDebug, AMarkerIsACandidateWithoutAReason)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I =
+      imageOf(printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(randomPose(random, 100., 0.4)), random);
+  vpDetectorCircleMarker detector;
+  detector.setDebug(true);
+  ASSERT_TRUE(detector.detect(I));
+  const vpCircleMarkerDebug &debug = detector.getDebug();
+  ASSERT_EQ(debug.scales.size(), 2u);
+  EXPECT_NEAR(debug.scales[0].noise, 2., 0.5); // the simulator's usual noise
+  EXPECT_EQ(debug.scales[0].edges.getWidth(), width);
+  EXPECT_EQ(debug.scales[1].edges.getWidth(), width / 2);
+  EXPECT_FALSE(debug.scales[0].chains.empty());
+  unsigned int taken = 0;
+  unsigned int pieces = 0;
+  for (const vpCircleMarkerCandidate &candidate : debug.candidates) {
+    pieces += candidate.reason == Reject::INSIDE_OF_A_MARKER ? 1 : 0;
+    if (candidate.reason != Reject::NONE) {
+      continue;
+    }
+    ++taken;
+    EXPECT_TRUE(candidate.isOutline);
+    EXPECT_EQ(candidate.id, 5);
+    EXPECT_EQ(candidate.margin, detector.getMargin(0));
+    EXPECT_EQ(candidate.sectors.size(), 23u);
+    EXPECT_NEAR(candidate.ellipse.a, detector.getDetections()[0].ellipse.a, 0.5);
+    EXPECT_NE(candidate.getText().find("golay23 id: 5"), std::string::npos) << candidate.getText();
+    // The sectors lie where the image is as black as they were read.
+    for (const vpCircleMarkerCandidate::Sector &sector : candidate.sectors) {
+      const int grey = I[static_cast<unsigned int>(sector.center.get_v() + 0.5)]
+                        [static_cast<unsigned int>(sector.center.get_u() + 0.5)];
+      EXPECT_EQ(grey<120, sector.black> 0.) << grey;
+    }
+  }
+  EXPECT_EQ(taken, 1u);
+  EXPECT_GT(pieces, 0u) << "sectors of its code";
+}
+
+TEST(DetectorDebug, TheResultIsTheSame)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I =
+      imageOf(printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(randomPose(random, 100., 0.4)), random);
+  vpDetectorCircleMarker with, without;
+  with.setDebug(true);
+  ASSERT_TRUE(with.detect(I));
+  ASSERT_TRUE(without.detect(I));
+  EXPECT_EQ(with.getNbOutlines(), without.getNbOutlines());
+  EXPECT_EQ(differenceOf(with.getDetections()[0].cMo, without.getDetections()[0].cMo), 0.);
+}
+
+TEST(DetectorDebug, AnyNumberOfThreadsGivesTheSame)
+{
+  Random random = randomOfTest();
+  vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+  simulator.setBackground(vpSceneBackground::clutter(random(), 40));
+  vpSimulatedMarker marker = printed(vpCircleMarkerFamily::GOLAY23, 5);
+  simulator.addMarker(marker.setPose(randomPose(random, 100., 0.4)));
+  vpImage<unsigned char> I;
+  simulator.render(I, random());
+  vpDetectorCircleMarker one, two;
+  two.setNbThreads(2);
+  one.setDebug(true);
+  two.setDebug(true);
+  one.detect(I);
+  two.detect(I);
+  ASSERT_EQ(one.getDebug().candidates.size(), two.getDebug().candidates.size());
+  for (std::size_t i = 0; i < one.getDebug().candidates.size(); ++i) {
+    const vpCircleMarkerCandidate &p = one.getDebug().candidates[i];
+    const vpCircleMarkerCandidate &q = two.getDebug().candidates[i];
+    EXPECT_EQ(p.reason, q.reason);
+    EXPECT_EQ(p.points.size(), q.points.size());
+    EXPECT_EQ(p.ellipse.a, q.ellipse.a);
+    EXPECT_EQ(p.margin, q.margin);
+  }
+}
+
+TEST(DetectorDebug, ReasonsOfThingsThatAreNoMarkers)
+{
+  vpDetectorCircleMarker coded;
+  vpDetectorCircleMarker ring(vpCircleMarkerFamily::RING);
+  vpDetectorCircleMarker disc(vpCircleMarkerFamily::DISC);
+  const auto square = [](cv::Mat &pixels) {
+    cv::rectangle(pixels, middle - cv::Point(40, 40), middle + cv::Point(40, 40), cv::Scalar(30), 8);
+  };
+  for (const Reject reason : reasonsFor(coded, square)) {
+    EXPECT_TRUE(reason == Reject::BAD_FIT || reason == Reject::LITTLE_BEND || reason == Reject::NOT_AN_ELLIPSE ||
+                reason == Reject::BRIGHT_INSIDE || reason == Reject::LITTLE_SUPPORT)
+        << vpCircleMarkerRejectName(reason);
+  }
+  EXPECT_FALSE(reasonsFor(coded, square).empty());
+  const auto bright = [](cv::Mat &pixels) {
+    pixels = 30;
+    cv::circle(pixels, middle, 40, cv::Scalar(220), cv::FILLED, cv::LINE_AA);
+  };
+  EXPECT_EQ(reasonsFor(coded, bright).count(Reject::BRIGHT_INSIDE), 1u);
+  const auto blackDisc = [](cv::Mat &pixels) { drawRing(pixels, 40, 0, 30, 30); };
+  EXPECT_EQ(reasonsFor(coded, blackDisc).count(Reject::OTHER_CENTER), 1u);
+  const auto plainRing = [](cv::Mat &pixels) { drawRing(pixels, 40, 32); };
+  EXPECT_EQ(reasonsFor(coded, plainRing), std::set<Reject>({Reject::NO_SECTORS}));
+  EXPECT_EQ(reasonsFor(ring, [](cv::Mat &pixels) { drawRing(pixels, 3, 2); }).count(Reject::NONE), 0u);
+  disc.setFamilies({vpCircleMarkerFamily::DISC, vpCircleMarkerFamily::GOLAY23}); // both centres are looked at
+  const std::set<Reject> ofRing = reasonsFor(disc, plainRing);
+  EXPECT_EQ(ofRing.count(Reject::OTHER_SHAPE), 1u);
+  EXPECT_EQ(ofRing.count(Reject::NO_SECTORS), 1u);
+  const auto dented = [](cv::Mat &pixels) {
+    drawRing(pixels, 40, 32);
+    cv::circle(pixels, middle + cv::Point(-35, 0), 12, cv::Scalar(30), cv::FILLED, cv::LINE_AA);
+    cv::circle(pixels, middle + cv::Point(25, 15), 15, cv::Scalar(30), cv::FILLED, cv::LINE_AA);
+  };
+  EXPECT_EQ(reasonsFor(ring, dented).count(Reject::NOT_ALL_AROUND), 1u);
+  // A quarter of a ring lies beyond the image.
+  vpImage<unsigned char> I = sheet();
+  cv::Mat pixels = pixelsOf(I);
+  cv::circle(pixels, cv::Point(20, 240), 36, cv::Scalar(30), 8, cv::LINE_AA);
+  coded.detect(I);
+  EXPECT_EQ(reasonsAt(coded, 20., 240.), std::set<Reject>({Reject::OUT_OF_IMAGE}));
+}
+
+TEST(DetectorDebug, ACodeThatIsHalfCoveredHasALowMarginOrNoCodeword)
+{
+  Random random = randomOfTest();
+  vpImage<unsigned char> I = imageOf(
+      printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(randomPose(random, 120., 0.1, middleU, middleV)), random);
+  vpDetectorCircleMarker detector;
+  ASSERT_TRUE(detector.detect(I));
+  detector.setMinimumMargin(1.);
+  detector.setDebug(true);
+  EXPECT_FALSE(detector.detect(I));
+  const std::vector<vpCircleMarkerCandidate> rejected = detector.getRejectedCandidates();
+  const auto low = std::find_if(rejected.begin(), rejected.end(), [](const vpCircleMarkerCandidate &candidate) {
+    return candidate.reason == Reject::LOW_MARGIN && candidate.id == 5;
+  });
+  ASSERT_NE(low, rejected.end());
+  EXPECT_NE(low->getText().find("low margin"), std::string::npos);
+  // White over the code of one half: the ring stays.
+  cv::Mat pixels = pixelsOf(I);
+  cv::ellipse(pixels, middle, cv::Size(39, 39), 0., 0., 180., cv::Scalar(225), cv::FILLED);
+  detector.setMinimumMargin(0.6);
+  EXPECT_FALSE(detector.detect(I));
+  const std::set<Reject> reasons = reasonsAt(detector, middleU, middleV);
+  EXPECT_TRUE(
+      reasons.count(Reject::NO_CODEWORD) + reasons.count(Reject::LOW_MARGIN) + reasons.count(Reject::NO_SECTORS) > 0u);
+}
+
+TEST(DetectorDebug, WithoutTimeTheReasonIsThat)
+{
+  Random random = randomOfTest();
+  vpImage<unsigned char> I = sheet();
+  cv::Mat pixels = pixelsOf(I);
+  for (int y = 14; y + 14 <= pixels.rows; y += 28) {
+    for (int x = 14; x + 14 <= pixels.cols; x += 28) {
+      cv::circle(pixels, cv::Point(x, y), 12, cv::Scalar(30), 2, cv::LINE_AA);
+    }
+  }
+  vpDetectorCircleMarker detector;
+  detector.setDebug(true);
+  detector.setTimeout(1);
+  bool isHasty = false;
+  for (int i = 0; i < 20 && !isHasty; ++i) { // a millisecond is enough on no machine, but the clock decides
+    detector.detect(I);
+    const std::vector<vpCircleMarkerCandidate> rejected = detector.getRejectedCandidates();
+    isHasty = rejected.empty() || std::any_of(rejected.begin(), rejected.end(), [](const vpCircleMarkerCandidate &c) {
+                return c.reason == Reject::TIMEOUT;
+              });
+  }
+  EXPECT_TRUE(isHasty);
+}
+
+TEST(DetectorDebug, EveryReasonHasAName)
+{
+  std::set<std::string> names;
+  for (int reason = 0; reason <= static_cast<int>(Reject::TIMEOUT); ++reason) {
+    const std::string name = vpCircleMarkerRejectName(static_cast<Reject>(reason));
+    EXPECT_NE(name, "unknown");
+    EXPECT_TRUE(names.insert(name).second) << name;
+  }
+}
