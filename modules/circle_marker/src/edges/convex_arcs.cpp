@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -26,20 +27,36 @@ namespace {
 // Chords over which the bend is measured, points. Two chords of 5 pixels with points good to 0.1 pixel give an angle
 // good to 0.03 rad.
 constexpr std::size_t chord = 5;
-// A bend the wrong way of more than this, rad, ends an arc: five times the angle's noise.
-constexpr double concaveBend = -0.15;
-// A sharper bend than this, rad, is a corner: an arc of radius 5 pixels bends by 1.
-constexpr double cornerBend = 1.1;
+// A bend the wrong way of more than this ends an arc: five times the angle's noise.
+constexpr double concaveTangent = -0.151; // of -0.15 rad
+// A sharper bend than this is a corner: an arc of radius 5 pixels bends by 1 rad.
+constexpr double cornerTangent = 1.965; // of 1.1 rad
 // Shorter arcs do not fix an ellipse.
 constexpr std::size_t fewestPoints = 16;
 // Pixels between two gradients whose turn is told: a ring of radius 5 turns by a radian in between.
 constexpr std::size_t turnStride = 5;
+// How much more an arc may turn than the gradients at its ends tell, rad: the direction of a gradient that just
+// prolongs a chain is good to a quarter.
+constexpr double noiseOfTurn = 0.3;
 
-double bendAt(const std::vector<EdgePoint> &points, std::size_t i)
+// Angle of a tangent, rad, to half a percent: an arc tangent takes longer than all else that is done with a point.
+double roughAngle(double tangent)
+{
+  constexpr double fit = 0.28;
+  const double squared = tangent * tangent;
+  return squared <= 1. ? tangent / (1. + fit * squared) : std::copysign(M_PI_2, tangent) - tangent / (squared + fit);
+}
+
+// Tangent of the bend at a point; nothing if it is a right angle or more, to either side.
+std::optional<double> bendAt(const std::vector<EdgePoint> &points, std::size_t i)
 {
   const Eigen::Vector2d before = points[i].position - points[i - chord].position;
   const Eigen::Vector2d after = points[i + chord].position - points[i].position;
-  return std::atan2(before.x() * after.y() - before.y() * after.x(), before.dot(after));
+  const double along = before.dot(after);
+  if (along <= 0.) {
+    return std::nullopt;
+  }
+  return (before.x() * after.y() - before.y() * after.x()) / along;
 }
 } // namespace
 
@@ -61,22 +78,26 @@ double doubledArea(const std::vector<EdgePoint> &points)
 double mostTurn(const Gradient &gradient, const EdgeChains &chains, const EdgeChain &chain)
 {
   const auto at = [&](std::size_t i) { return gradient.at(chains.pixels[i].x, chains.pixels[i].y); };
-  double turn = 0.;
+  double most = 0.;
+  double turn = 0.; // of the run of pixels up to here that turns most
   GradientVector before = at(chain.begin);
-  for (std::size_t i = chain.begin + turnStride; turn < leastArcTurn; i += turnStride) {
+  for (std::size_t i = chain.begin + turnStride; most < leastArcTurn; i += turnStride) {
     const GradientVector here = at(std::min(i, chain.end - 1));
     const int cross = before.dx * here.dy - before.dy * here.dx;
     const int dot = before.dx * here.dx + before.dy * here.dy;
-    // The tangent is more than the angle: an upper bound without an arc tangent.
-    if (cross > 0) {
-      turn += dot > 0 ? std::min(static_cast<double>(cross) / dot, M_PI) : M_PI;
+    if (dot > 0) {
+      turn = std::max(0., turn + roughAngle(static_cast<double>(cross) / dot));
     }
+    else {
+      turn = cross > 0 ? turn + M_PI : 0.; // no arc goes on beyond a sharp turn the wrong way
+    }
+    most = std::max(most, turn + noiseOfTurn);
     if (i + 1 >= chain.end) {
       break;
     }
     before = here;
   }
-  return turn;
+  return most;
 }
 
 void cutConvexArcs(const std::vector<EdgePoint> &points, std::vector<std::pair<std::size_t, std::size_t>> &arcs,
@@ -99,14 +120,14 @@ void cutConvexArcs(const std::vector<EdgePoint> &points, std::vector<std::pair<s
     if (i % pointsAtOnce == 0 && deadline.hasPassed()) {
       return;
     }
-    const double bend = bendAt(points, i);
-    if (bend < concaveBend || bend > cornerBend) {
+    const std::optional<double> bend = bendAt(points, i);
+    if (!bend || *bend < concaveTangent || *bend > cornerTangent) {
       endArc(i);
       begin = i + 1;
       turn = 0.;
       continue;
     }
-    turn += bend / static_cast<double>(chord); // each bend is seen by as many overlapping pairs of chords
+    turn += roughAngle(*bend) / static_cast<double>(chord); // each bend is seen by as many overlapping pairs of chords
   }
   endArc(n);
 }

@@ -36,8 +36,8 @@ double doubledArea(const std::vector<EdgePoint> &points);
 constexpr double leastArcTurn = 0.9;
 
 /*!
-  Upper bound of what any arc of a chain of pixels bends in all, rad: the turns of the gradient the right way, every few
-  pixels. It takes a fraction of what locating the chain's points takes.
+  Upper bound of what any arc of a chain of pixels bends in all, rad: the turn of the gradient, looked at every few
+  pixels, along the run that turns most. It takes a fraction of what locating the chain's points takes.
 */
 double mostTurn(const Gradient &gradient, const EdgeChains &chains, const EdgeChain &chain);
 

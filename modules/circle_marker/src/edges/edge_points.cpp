@@ -36,12 +36,6 @@ double component(const Gradient &gradient, int x, int y, const Eigen::Vector2d &
   const GradientVector vector = gradient.at(x, y);
   return vector.dx * direction.x() + vector.dy * direction.y();
 }
-
-Eigen::Vector2d normalAt(const Gradient &gradient, int x, int y)
-{
-  const GradientVector vector = gradient.at(x, y);
-  return Eigen::Vector2d(vector.dx, vector.dy).normalized();
-}
 } // namespace
 
 std::optional<EdgePoint> locateEdge(const Gradient &gradient, int x, int y)
@@ -55,27 +49,24 @@ std::optional<EdgePoint> locateEdge(const Gradient &gradient, int x, int y)
   const GradientVector across = gradient.at(x, y);
   const int ax = std::abs(across.dx) >= std::abs(across.dy) ? 1 : 0;
   const int ay = 1 - ax;
-  const auto along = [&](int u, int v) {
-    const GradientVector vector = gradient.at(u, v);
+  const std::ptrdiff_t step = ax + ay * static_cast<std::ptrdiff_t>(gradient.width);
+  const GradientVector *ridge = &gradient.at(x, y);
+  const auto along = [&](std::ptrdiff_t steps) {
+    const GradientVector vector = ridge[steps * step];
     return vector.dx * across.dx + vector.dy * across.dy;
   };
-  int before = along(x - ax, y - ay);
+  int before = along(-1);
   int here = across.squared();
-  int after = along(x + ax, y + ay);
-  if (before > here && before >= after) {
-    x -= ax;
-    y -= ay;
-    after = here;
-    here = before;
-    before = along(x - ax, y - ay);
-  }
-  else if (after > here) {
-    x += ax;
-    y += ay;
-    before = here;
-    here = after;
-    after = along(x + ax, y + ay);
-  }
+  int after = along(1);
+  // To the stronger neighbour, without a branch: on which side of the pixel the ridge lies cannot be foreseen.
+  const int isBefore = static_cast<int>(before > here) & static_cast<int>(before >= after);
+  const int shift = (static_cast<int>(after > here) & (1 - isBefore)) - isBefore;
+  ridge += shift * step;
+  x += shift * ax;
+  y += shift * ay;
+  before = along(-1);
+  here = along(0);
+  after = along(1);
   const int curvature = before - 2 * here + after;
   const double least = static_cast<double>(gradient.continueAbove) * gradient.continueAbove;
   if (before > here || after > here || curvature >= 0 || static_cast<double>(here) * here < least * across.squared()) {
@@ -84,7 +75,7 @@ std::optional<EdgePoint> locateEdge(const Gradient &gradient, int x, int y)
   const double offset = 0.5 * (before - after) / curvature;
   EdgePoint point;
   point.position = Eigen::Vector2d(x + offset * ax, y + offset * ay);
-  point.normal = normalAt(gradient, x, y);
+  point.normal = Eigen::Vector2d(ridge->dx, ridge->dy) / std::sqrt(static_cast<double>(ridge->squared()));
   return point;
 }
 

@@ -32,6 +32,8 @@ constexpr double sameOutline = 0.1;
 constexpr std::size_t fewestPoints = 8;
 // Marks of EllipseMemory::left for chains that are still to be cut: those that enclose something bright, too.
 constexpr std::uint8_t brightInside = 2;
+// A dark blob of fewer pixels around hides no piece of a ring: covered markers have a semi-minor axis of 6 pixels.
+constexpr std::size_t longestBlob = 38;
 // No outline inside of the image is longer than the image's own: longer closed chains are something else.
 constexpr std::size_t longestOutline = 2;
 
@@ -181,20 +183,19 @@ struct Search
     }
   }
 
-  // Proposes the outline of a run of points; whether there is one.
-  bool propose(EllipseMemory::Bench &bench, std::size_t chain, const EdgePoint *points, std::size_t count,
-               bool isWhole) const
+  // Proposes the outline of a run of points, or tells why there is none.
+  EllipseReject propose(EllipseMemory::Bench &bench, std::size_t chain, const EdgePoint *points, std::size_t count,
+                        bool isWhole) const
   {
     EllipseMemory::Proposal &proposal = bench.proposals.append();
     proposal.chain = chain;
     proposal.candidate.ellipse = EllipseParameters();
     const EllipseReject reason = bench.fitter.fit(I, gradient, points, count, isWhole, sought, proposal.candidate);
-    if (reason == EllipseReject::NONE) {
-      return true;
+    if (reason != EllipseReject::NONE) {
+      refuse(bench, chain, points, count, reason, proposal.candidate.ellipse);
+      bench.proposals.removeLast();
     }
-    refuse(bench, chain, points, count, reason, proposal.candidate.ellipse);
-    bench.proposals.removeLast();
-    return false;
+    return reason;
   }
 
   // A closed chain as one outline; open ones, and closed ones that are none, are left to be cut into arcs.
@@ -228,7 +229,15 @@ struct Search
     if (isKnownElsewhere(bench.points.data(), bench.points.size())) {
       return refuse(bench, index, EllipseReject::KNOWN_OUTLINE);
     }
-    left = propose(bench, index, bench.points.data(), bench.points.size(), true) ? 0 : 1;
+    left = 1;
+    if (!sought.dark && isDarkThroughout(I, bench.points.data(), bench.points.size())) {
+      // A larger one may be a covered ring together with what covers it.
+      left = chain.length() > longestBlob ? 1 : 0;
+      return refuse(bench, index, EllipseReject::OTHER_CENTER);
+    }
+    const EllipseReject reason = propose(bench, index, bench.points.data(), bench.points.size(), true);
+    // Where one ellipse fits all of the chain and is none that is sought, its arcs are none either.
+    left = reason == EllipseReject::NONE || reason == EllipseReject::OTHER_CENTER ? 0 : 1;
   }
 
   void arcsOfChain(std::size_t index, EllipseMemory::Bench &bench) const

@@ -35,11 +35,11 @@ struct WhitenedPoints
   const Eigen::Vector2d *points;
   std::size_t size;
   const double *weights;
-  double sumOfWeights;
+  double scale; // of the weights: their sum is one
   Eigen::Vector2d mean;
   Eigen::Matrix2d W;
 
-  double weight(std::size_t i) const { return (weights ? weights[i] : 1.) / sumOfWeights; }
+  double weight(std::size_t i) const { return weights ? weights[i] * scale : scale; }
   Eigen::Vector2d at(std::size_t i) const { return W * (points[i] - mean); }
 };
 
@@ -61,7 +61,7 @@ std::optional<WhitenedPoints> whiten(const Eigen::Vector2d *points, std::size_t 
   if (used < 5) {
     return std::nullopt;
   }
-  whitened.sumOfWeights = sum;
+  whitened.scale = 1. / sum;
   whitened.mean /= sum;
 
   Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
@@ -180,6 +180,9 @@ NormalEquations sampsonEquations(const WhitenedPoints &points, const Vector6d &c
 //! Gauss-Newton on the unit sphere of the coefficients; steps that leave the ellipses or raise the cost are halved.
 Vector6d refine(const WhitenedPoints &points, Vector6d conic, const FitLimits &limits)
 {
+  if (limits.iterations == 0) {
+    return conic;
+  }
   const int maximumHalvings = 4; // A sixteenth of a Gauss-Newton step that does not help: at the minimum.
   NormalEquations equations = sampsonEquations(points, conic);
   for (int iteration = 0; iteration < limits.iterations; iteration++) {

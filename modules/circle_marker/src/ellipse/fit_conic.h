@@ -45,6 +45,9 @@ struct FitLimits
 /*! For ellipses that only say where to look: within a percent of the least root-mean-square distance. */
 constexpr FitLimits roughFit = {3, 0.02, 1e-4};
 
+/*! The direct fit alone: near the best on points from all of an outline, too small and too flat on an arc. */
+constexpr FitLimits directFit = {0, 0., 0.};
+
 /*!
   Fits an ellipse to points: the direct ellipse-specific least squares (A. Fitzgibbon, M. Pilu and R. Fisher, Direct
   least square fitting of ellipses, PAMI 21 (1999), in the stable form of R. Halir and J. Flusser, WSCG 1998) as a

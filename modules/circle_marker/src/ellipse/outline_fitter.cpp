@@ -39,6 +39,9 @@ constexpr double fitToleranceOfSize = 0.006;
 constexpr std::size_t mostFitPoints = 100;
 // Share of the outline along which an edge must be found.
 constexpr double leastSupport = 0.5;
+// Where the first search has found all but one point of an outline, they fix the ellipse to a fraction of a pixel; what
+// is less extrapolates from them, and is searched once more.
+constexpr double wellSupported = 0.97;
 // Points along a completed outline: one a pixel, no more than 128 (enough to start the refinement from). The first
 // search, which only says where to look, makes do with fewer.
 constexpr int fewestSamples = 24;
@@ -156,6 +159,33 @@ double medianContrast(const vpImage<unsigned char> &I, const EllipseCandidate &c
   return *middle;
 }
 
+// Grey levels beside an outline, means over 16 of its points.
+struct Beside
+{
+  double dark = 0.;
+  double bright = 0.;
+};
+
+Beside besideOutline(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count)
+{
+  constexpr std::size_t samples = 16;
+  Beside beside;
+  int seen = 0;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const EdgePoint &point = points[k * count / samples];
+    const auto inside = bilinear(I, point.position - besideEdge * point.normal);
+    const auto outside = bilinear(I, point.position + besideEdge * point.normal);
+    if (inside && outside) {
+      beside.dark += *inside;
+      beside.bright += *outside;
+      ++seen;
+    }
+  }
+  beside.dark /= std::max(seen, 1);
+  beside.bright /= std::max(seen, 1);
+  return beside;
+}
+
 // Whether the centre of an outline is like that of the markers sought, judged by the grey levels beside its edge.
 bool hasSoughtCenter(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count,
                      const Eigen::Vector2d &center, const SoughtCenters &sought)
@@ -167,25 +197,30 @@ bool hasSoughtCenter(const vpImage<unsigned char> &I, const EdgePoint *points, s
   if (!grey) {
     return true; // cut by the image's border: what is left of it decides later
   }
-  constexpr std::size_t samples = 16;
-  double dark = 0.;
-  double bright = 0.;
-  int seen = 0;
-  for (std::size_t k = 0; k < samples; ++k) {
-    const EdgePoint &point = points[k * count / samples];
-    const auto inside = bilinear(I, point.position - besideEdge * point.normal);
-    const auto outside = bilinear(I, point.position + besideEdge * point.normal);
-    if (inside && outside) {
-      dark += *inside;
-      bright += *outside;
-      ++seen;
-    }
-  }
-  const double step = (bright - dark) / std::max(seen, 1);
-  const double aboveDark = *grey - dark / std::max(seen, 1);
+  const Beside beside = besideOutline(I, points, count);
+  const double step = beside.bright - beside.dark;
+  const double aboveDark = *grey - beside.dark;
   return sought.bright ? aboveDark >= leastCenter * step : aboveDark <= (1. - leastCenter) * step;
 }
 } // namespace
+
+bool isDarkThroughout(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count)
+{
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < count; ++i) {
+    center += points[i].position;
+  }
+  center /= static_cast<double>(count);
+  const Beside beside = besideOutline(I, points, count);
+  const double most = beside.dark + leastCenter * (beside.bright - beside.dark);
+  constexpr std::size_t directions = 4;
+  bool isDark = bilinear(I, center).value_or(255.) < most;
+  for (std::size_t k = 0; k < directions && isDark; ++k) {
+    const Eigen::Vector2d halfway = 0.5 * (center + points[k * count / directions].position);
+    isDark = bilinear(I, halfway).value_or(255.) < most;
+  }
+  return isDark;
+}
 
 double fitToleranceOf(const EllipseParameters &ellipse)
 {
@@ -196,31 +231,37 @@ EllipseReject OutlineFitter::fit(const vpImage<unsigned char> &I, const Gradient
                                  std::size_t count, bool isWhole, const SoughtCenters &sought,
                                  EllipseCandidate &candidate)
 {
-  if (!fitPoints(points, count, candidate) || candidate.ellipse.a > I.getWidth() + I.getHeight()) {
+  // A whole outline is fitted well enough at once; an arc's direct fit is too small.
+  if (!fitPoints(points, count, candidate, isWhole ? directFit : roughFit) ||
+      candidate.ellipse.a > I.getWidth() + I.getHeight()) {
     return EllipseReject::NOT_AN_ELLIPSE;
   }
   // The centre of an ellipse is known as soon as half of it is.
   const double perimeter = M_PI * (candidate.ellipse.a + candidate.ellipse.b);
   const bool knowsCenter = isWhole || static_cast<double>(count) > leastShareForCenter * perimeter;
+  const auto isNear = [&]() {
+    return rootMeanSquareDistance(candidate, points, count) <= fitToleranceOf(candidate.ellipse);
+  };
+  const bool fits = isNear() || (isWhole && fitPoints(points, count, candidate) && isNear());
   if (knowsCenter && !hasSoughtCenter(I, points, count, candidate.ellipse.center, sought)) {
-    return EllipseReject::OTHER_CENTER;
+    return fits ? EllipseReject::OTHER_CENTER : EllipseReject::BAD_FIT;
   }
-  if (rootMeanSquareDistance(candidate, points, count) > fitToleranceOf(candidate.ellipse) &&
-      (!isWhole || !fitMost(points, count, candidate))) {
+  if (!fits && (!isWhole || !fitMost(points, count, candidate))) {
     return EllipseReject::BAD_FIT;
   }
   return complete(I, gradient, sought, candidate);
 }
 
 // An ellipse through points; leaves candidate.conic and candidate.ellipse, or tells that there is none.
-bool OutlineFitter::fitPoints(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate)
+bool OutlineFitter::fitPoints(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate,
+                              const FitLimits &limits)
 {
   m_positions.clear();
   const std::size_t stride = 1 + count / mostFitPoints;
   for (std::size_t i = 0; i < count; i += stride) {
     m_positions.push_back(points[i].position);
   }
-  const auto conic = fitEllipse(m_positions.data(), m_positions.size(), nullptr, roughFit);
+  const auto conic = fitEllipse(m_positions.data(), m_positions.size(), nullptr, limits);
   if (!conic) {
     return false;
   }
@@ -279,12 +320,14 @@ EllipseReject OutlineFitter::complete(const vpImage<unsigned char> &I, const Gra
   if (!hasSoughtCenter(I, candidate.points.data(), candidate.points.size(), candidate.ellipse.center, sought)) {
     return EllipseReject::OTHER_CENTER;
   }
-  searchOutline(gradient, candidate, onOutline + 0.01 * candidate.ellipse.a, mostSamples);
-  if (candidate.support < 0.5 * leastSupport) {
-    return EllipseReject::LITTLE_SUPPORT;
-  }
-  if (!fitPoints(candidate.points.data(), candidate.points.size(), candidate)) {
-    return EllipseReject::NOT_AN_ELLIPSE;
+  if (candidate.support < wellSupported) {
+    searchOutline(gradient, candidate, onOutline + 0.01 * candidate.ellipse.a, mostSamples);
+    if (candidate.support < 0.5 * leastSupport) {
+      return EllipseReject::LITTLE_SUPPORT;
+    }
+    if (!fitPoints(candidate.points.data(), candidate.points.size(), candidate)) {
+      return EllipseReject::NOT_AN_ELLIPSE;
+    }
   }
   searchOutline(gradient, candidate, onOutline, mostSamples);
   if (candidate.support < leastSupport) {

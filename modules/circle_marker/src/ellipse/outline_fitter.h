@@ -69,7 +69,8 @@ public:
                     std::size_t count, bool isWhole, const SoughtCenters &sought, EllipseCandidate &candidate);
 
 private:
-  bool fitPoints(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate);
+  bool fitPoints(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate,
+                 const FitLimits &limits = roughFit);
   bool fitMost(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate);
   EllipseReject complete(const vpImage<unsigned char> &I, const Gradient &gradient, const SoughtCenters &sought,
                          EllipseCandidate &candidate);
@@ -79,6 +80,12 @@ private:
   std::vector<double> m_sorted;             //!< The same in another order.
   std::vector<EdgePoint> m_kept;            //!< What is left of an outline without a piece of something else.
 };
+
+/*!
+  Whether a closed outline is as dark at its centre, and halfway to it in four directions, as along its edge: a blob, or
+  a sector of a code; no fit is needed to know that it is no ring.
+*/
+bool isDarkThroughout(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count);
 
 /*! Root-mean-square distance that points may have from their ellipse, pixels. */
 double fitToleranceOf(const EllipseParameters &ellipse);
