@@ -18,7 +18,8 @@
 #############################################################################
 
 # circle_marker_add_program(<name> <library>...): the program <name> from <name>.cpp or from <name>/*.cpp, linked with
-# ViSP and the libraries. Programs beside each other share common/: its *.cpp, and its headers as "common/...".
+# ViSP and the libraries. Programs beside each other share the headers of common/, as "common/...", and all have those of
+# the tutorials as "circle_marker/common/...".
 # A program whose sources are not there is left out. CIRCLE_MARKER_PROGRAMS (global property) collects the names.
 function(circle_marker_add_program name)
   set(folder ${CMAKE_CURRENT_SOURCE_DIR})
@@ -26,9 +27,8 @@ function(circle_marker_add_program name)
   if(NOT sources)
     return()
   endif()
-  file(GLOB common_sources CONFIGURE_DEPENDS ${folder}/common/*.cpp)
-  add_executable(${name} ${sources} ${common_sources})
-  target_include_directories(${name} PRIVATE ${folder} ${folder}/${name})
+  add_executable(${name} ${sources})
+  target_include_directories(${name} PRIVATE ${folder} ${folder}/${name} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../tutorial)
   target_include_directories(${name} SYSTEM PRIVATE ${VISP_INCLUDE_DIRS})
   target_link_libraries(${name} ${VISP_LIBRARIES} ${ARGN})
   target_compile_features(${name} PRIVATE cxx_std_17)

@@ -94,6 +94,14 @@ std::vector<Json> linesOf(const std::string &text)
   return lines;
 }
 
+void writeLines(const std::filesystem::path &file, const Json &elements)
+{
+  std::ofstream out(file);
+  for (const Json &element : elements) {
+    out << element.dump() << '\n';
+  }
+}
+
 long numberOf(const Json &line)
 {
   const std::string name = line["image"];

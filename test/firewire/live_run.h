@@ -48,6 +48,9 @@ std::vector<std::string> liveArguments(const std::vector<std::string> &more);
 /*! Lines of JSON. */
 std::vector<Json> linesOf(const std::string &text);
 
+/*! Writes the elements of an array as lines of JSON. */
+void writeLines(const std::filesystem::path &file, const Json &elements);
+
 /*! The number behind "#" in the name of an image. */
 long numberOf(const Json &line);
 

@@ -19,6 +19,7 @@
 
 #include <visp3/core/vpPixelMeterConversion.h>
 
+#include "circle_marker/common/moved_camera.h"
 #include "parts.h"
 
 namespace accuracy {
@@ -104,7 +105,8 @@ void principalPoint(Scene &scene, Draws &draws)
 {
   const double error = 0.005 * imageWidth;
   const double direction = draws.uniform(0., 2. * M_PI);
-  scene.assumed = windowOf(scene.camera, error * std::cos(direction), error * std::sin(direction));
+  scene.assumed =
+      tutorial::movedPrincipalPoint(scene.camera, -error * std::cos(direction), -error * std::sin(direction));
 }
 
 void focalLengthOff(Scene &scene, Draws &draws)

@@ -23,10 +23,10 @@
 #include <iostream>
 #include <sstream>
 
+#include "circle_marker/common/program.h"
 #include "command_line.h"
 #include "common/files.h"
 #include "common/progress.h"
-#include "common/run_program.h"
 #include "parts.h"
 #include "report.h"
 #include "tables.h"
@@ -53,7 +53,7 @@ Records makeRecordsWithProgress(const Settings &settings)
   return makeRecords(settings, [&line](std::size_t done, std::size_t all) { line.show(done, all); });
 }
 
-void carryOut(const Settings &settings)
+int carryOut(const Settings &settings)
 {
   if (!settings.page.empty()) {
     makeFolder(settings.page); // Before the minutes that the measurements take.
@@ -83,19 +83,11 @@ void carryOut(const Settings &settings)
   if (!settings.page.empty()) {
     writePage(settings.page, comments, records, tables);
   }
+  return 0;
 }
 } // namespace
 
 int main(int argc, const char *argv[])
 {
-  return runProgram("circle-marker-accuracy", [argc, argv]() {
-    const Request request = parseCommandLine(argc, argv);
-    if (request.settings) {
-      carryOut(*request.settings);
-    }
-    else {
-      std::cout << request.help;
-    }
-    return 0;
-  });
+  return tutorial::Program("circle-marker-accuracy").run(parseCommandLine, argc, argv, carryOut);
 }

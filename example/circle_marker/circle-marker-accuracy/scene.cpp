@@ -21,6 +21,7 @@
 #include <visp3/core/vpMath.h>
 #include <visp3/core/vpPixelMeterConversion.h>
 
+#include "circle_marker/common/moved_camera.h"
 #include "scene.h"
 
 namespace accuracy {
@@ -114,25 +115,6 @@ Ranges withReferenceLight(Ranges ranges)
   return ranges;
 }
 
-vpCameraParameters windowOf(const vpCameraParameters &camera, double left, double top)
-{
-  vpCameraParameters window;
-  const double u0 = camera.get_u0() - left;
-  const double v0 = camera.get_v0() - top;
-  switch (camera.get_projModel()) {
-  case vpCameraParameters::perspectiveProjWithDistortion:
-    window.initPersProjWithDistortion(camera.get_px(), camera.get_py(), u0, v0, camera.get_kud(), camera.get_kdu());
-    break;
-  case vpCameraParameters::ProjWithKannalaBrandtDistortion:
-    window.initProjWithKannalaBrandtDistortion(camera.get_px(), camera.get_py(), u0, v0,
-                                               camera.getKannalaBrandtDistortionCoefficients());
-    break;
-  default:
-    window.initPersProjWithoutDistortion(camera.get_px(), camera.get_py(), u0, v0);
-  }
-  return window;
-}
-
 Scene draw(const Ranges &ranges, const std::string &family, std::uint64_t seed)
 {
   Draws draws(seed);
@@ -164,7 +146,7 @@ Scene draw(const Ranges &ranges, const std::string &family, std::uint64_t seed)
   scene.height = ranges.wholeImage ? camera.height : windowHeight;
   const double left = ranges.wholeImage ? 0. : std::round(u - place(draws, windowWidth, ranges.extent * wanted));
   const double top = ranges.wholeImage ? 0. : std::round(v - place(draws, windowHeight, ranges.extent * wanted));
-  scene.camera = windowOf(camera.parameters, left, top);
+  scene.camera = tutorial::movedPrincipalPoint(camera.parameters, -left, -top);
   scene.assumed = scene.camera;
 
   vpScenePhotometry &light = scene.photometry;

@@ -106,9 +106,6 @@ Ranges withReferenceLight(Ranges ranges);
 
 /*! A scene; the ring lies in the camera's image, and in the window. */
 Scene draw(const Ranges &ranges, const std::string &family, std::uint64_t seed);
-
-/*! A camera of which a window is made: the same lens, its principal point counted from the window's first pixel. */
-vpCameraParameters windowOf(const vpCameraParameters &camera, double left, double top);
 } // namespace accuracy
 
 #endif

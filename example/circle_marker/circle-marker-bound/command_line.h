@@ -18,18 +18,11 @@
 #ifndef VP_BOUND_COMMAND_LINE_H
 #define VP_BOUND_COMMAND_LINE_H
 
-#include <optional>
-#include <string>
-
+#include "circle_marker/common/arguments.h"
 #include "plan.h"
 
 namespace planner {
-/*! What the command line asks for: a plan, or the help to show. */
-struct Request
-{
-  std::optional<Settings> settings;
-  std::string help;
-};
+using Request = tutorial::RequestFor<Settings>;
 
 /*!
   \exception UsageError : If the arguments are wrong.

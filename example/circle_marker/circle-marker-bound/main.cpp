@@ -23,16 +23,16 @@
 
 #include <iostream>
 
+#include "circle_marker/common/program.h"
 #include "command_line.h"
 #include "common/files.h"
 #include "common/progress.h"
-#include "common/run_program.h"
 #include "report.h"
 
 using namespace planner;
 
 namespace {
-void carryOut(const Settings &settings)
+int carryOut(const Settings &settings)
 {
   if (!settings.output.empty()) {
     makeFolder(settings.output); // Before the seconds that the bounds take.
@@ -57,19 +57,11 @@ void carryOut(const Settings &settings)
     writeWhole(settings.output, "bound.gp", plotScript(settings, rows));
     drawPlots(settings.output, "bound.gp", {"bound.svg"});
   }
+  return 0;
 }
 } // namespace
 
 int main(int argc, const char *argv[])
 {
-  return runProgram("circle-marker-bound", [argc, argv]() {
-    const Request request = parseCommandLine(argc, argv);
-    if (request.settings) {
-      carryOut(*request.settings);
-    }
-    else {
-      std::cout << request.help;
-    }
-    return 0;
-  });
+  return tutorial::Program("circle-marker-bound").run(parseCommandLine, argc, argv, carryOut);
 }

@@ -17,7 +17,6 @@
 
 #include "command_line.h"
 
-#include "circle_marker/common/arguments.h"
 #include "circle_marker/common/camera_file.h"
 #include "circle_marker/common/detection/detector_options.h"
 #include "circle_marker/common/numbered_name.h"
@@ -257,12 +256,7 @@ Request parseCommandLine(int argc, const char *const argv[])
   if (!common::parse(app, argc, argv)) {
     return Request{std::nullopt, app.help()};
   }
-  try {
-    fill(order, raw, camera);
-  }
-  catch (const tutorial::UsageError &e) {
-    throw UsageError(e.what());
-  }
+  fill(order, raw, camera);
   return Request{order, ""};
 }
 } // namespace calibrate

@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "circle_marker/common/arguments.h"
 #include "circle_marker/common/cameras/camera_settings.h"
 
 #include "lens.h"
@@ -63,12 +64,7 @@ struct Order
   std::string output, cameraName, json, residuals, savedViews;
 };
 
-/*! What the command line asks for: an order, or help to show. */
-struct Request
-{
-  std::optional<Order> order;
-  std::string help;
-};
+using Request = tutorial::RequestFor<Order>;
 
 /*! \exception common::UsageError : If the arguments are wrong. */
 Request parseCommandLine(int argc, const char *const argv[]);

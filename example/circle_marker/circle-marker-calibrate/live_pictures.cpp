@@ -18,7 +18,6 @@
 #include "pictures.h"
 
 #include <chrono>
-#include <csignal>
 #include <iostream>
 #include <optional>
 
@@ -26,19 +25,13 @@
 
 #include "circle_marker/common/cameras/frame_feed.h"
 #include "circle_marker/common/draw.h"
+#include "circle_marker/common/interruption.h"
 #include "circle_marker/common/window.h"
 
 #include "find.h"
 
 namespace calibrate {
 namespace {
-volatile std::sig_atomic_t isInterrupted = 0;
-
-void onInterrupt(int)
-{
-  isInterrupted = 1;
-}
-
 /*! Mean distance of the points that two views share, pixels; nothing without any. */
 std::optional<double> distanceOf(const View &a, const View &b)
 {
@@ -85,13 +78,12 @@ private:
 /*! What the user wants in the window. */
 struct Wish
 {
-  bool take = false;
-  bool end = false;
+  bool take = false; //!< The next image with the target, as it is.
+  bool end = false;  //!< No more views.
 };
 
-Wish readWish(tutorial::Window &window)
+void readWish(tutorial::Window &window, Wish &wish)
 {
-  Wish wish;
   while (const auto key = window.key()) {
     wish.take = wish.take || *key == ' ';
     wish.end = wish.end || *key == 'q' || *key == '\x1b';
@@ -100,7 +92,6 @@ Wish readWish(tutorial::Window &window)
     wish.take = wish.take || *button == vpMouseButton::button1;
     wish.end = wish.end || *button == vpMouseButton::button3;
   }
-  return wish;
 }
 
 void showImage(tutorial::Window &window, const vpImage<unsigned char> &I, const Search &search, std::size_t taken,
@@ -120,19 +111,20 @@ void showImage(tutorial::Window &window, const vpImage<unsigned char> &I, const 
 std::vector<Picture> takePictures(const Order &order, const Complain &complain)
 {
   const PictureOrder &wanted = order.pictures;
-  std::signal(SIGINT, onInterrupt);
+  tutorial::watchInterruption();
   std::unique_ptr<tutorial::FrameSource> source = tutorial::openFrameSource(*wanted.camera);
   const auto use = source->isLive() ? tutorial::FrameFeed::Use::Newest : tutorial::FrameFeed::Use::All;
   tutorial::FrameFeed feed(std::move(source), use);
   std::optional<tutorial::Window> window;
   if (wanted.display) {
-    window.emplace("Calibration", 100, 100);
+    window.emplace("Camera calibration", 100, 100);
   }
   Finder finder(order.target);
   Taking taking;
   std::vector<Picture> pictures;
   Wish wish;
-  while (pictures.size() < wanted.wanted && !wish.end && isInterrupted == 0) {
+  bool isShown = false;
+  while (pictures.size() < wanted.wanted && !wish.end && !tutorial::isInterrupted()) {
     const auto delivery = feed.wait(std::chrono::milliseconds(30)); // keys and clicks are seen at once
     if (!delivery.damage.empty()) {
       complain(delivery.damage);
@@ -144,13 +136,17 @@ std::vector<Picture> takePictures(const Order &order, const Complain &complain)
       if (feed.silence() > wanted.timeout) {
         throw tutorial::SourceError(tutorial::silenceMessage(wanted.camera->name, wanted.timeout));
       }
+      if (window && isShown) {
+        readWish(*window, wish);
+      }
       continue;
     }
     const Search search = finder.find(delivery.frame->image, delivery.frame->name, std::nullopt);
     if (window) {
       try {
         showImage(*window, delivery.frame->image, search, pictures.size(), wanted.wanted);
-        wish = readWish(*window);
+        isShown = true;
+        readWish(*window, wish);
       }
       catch (const vpException &e) {
         complain(std::string("no window can be opened (") + e.what() + "); going on without, as with --display-off");
@@ -162,6 +158,7 @@ std::vector<Picture> takePictures(const Order &order, const Complain &complain)
       pictures.push_back(Picture{delivery.frame->name, delivery.frame->image});
       std::cerr << pictures.size() << " of " << wanted.wanted << " views" << std::endl;
     }
+    wish.take = false;
   }
   return pictures;
 }

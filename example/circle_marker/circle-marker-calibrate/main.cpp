@@ -23,10 +23,10 @@
 #include <iostream>
 #include <optional>
 
+#include "circle_marker/common/program.h"
 #include "circle_marker/common/whole_file.h"
 #include "common/numbers.h"
 #include "common/progress.h"
-#include "common/run_program.h"
 
 #include "camera_files.h"
 #include "checks.h"
@@ -39,12 +39,7 @@
 using namespace calibrate;
 
 namespace {
-const std::string programName = "circle-marker-calibrate";
-
-void complain(const std::string &message)
-{
-  std::cerr << programName << ": " << message << std::endl;
-}
+const tutorial::Program program("circle-marker-calibrate");
 
 /*! Looks for the target in all pictures; those without it are named once. */
 std::vector<View> findAll(Finder &finder, const std::vector<Picture> &pictures, const std::optional<Lens> &lens,
@@ -58,7 +53,7 @@ std::vector<View> findAll(Finder &finder, const std::vector<Picture> &pictures, 
       views.push_back(*search.view);
     }
     else if (isTold) {
-      complain("\"" + pictures[i].name + "\": " + search.problem);
+      program.complain("\"" + pictures[i].name + "\": " + search.problem);
     }
     line.show(i + 1, pictures.size());
   }
@@ -131,7 +126,7 @@ void writeFiles(const Order &order, const Report &report)
       cameras.push_back(model.calibration.adjustment.lens.parameters(report.width, report.height));
     }
     for (const std::string &problem : model.problems) {
-      complain("the model " + nameOf(model.model) + " is refused: " + problem);
+      program.complain("the model " + nameOf(model.model) + " is refused: " + problem);
     }
   }
   if (!order.output.empty() && !cameras.empty()) {
@@ -141,7 +136,8 @@ void writeFiles(const Order &order, const Report &report)
 
 int carryOut(const Order &order)
 {
-  const std::vector<Picture> pictures = gatherPictures(order, complain);
+  const std::vector<Picture> pictures =
+      gatherPictures(order, [](const std::string &message) { program.complain(message); });
   Finder finder(order.target);
   const std::vector<View> views = findAll(finder, pictures, std::nullopt, true);
   if (const std::string problem = problemOfViews(views); !problem.empty()) {
@@ -182,12 +178,6 @@ int convertFile(const Order &order)
 
 int main(int argc, const char *argv[])
 {
-  return common::runProgram(programName, [argc, argv]() {
-    const Request request = parseCommandLine(argc, argv);
-    if (!request.order) {
-      std::cout << request.help;
-      return 0;
-    }
-    return request.order->convert.empty() ? carryOut(*request.order) : convertFile(*request.order);
-  });
+  return program.run(parseCommandLine, argc, argv,
+                     [](const Order &order) { return order.convert.empty() ? carryOut(order) : convertFile(order); });
 }

@@ -18,19 +18,11 @@
 #ifndef VP_COMPARE_COMMAND_LINE_H
 #define VP_COMPARE_COMMAND_LINE_H
 
-#include <optional>
-#include <string>
-
+#include "circle_marker/common/arguments.h"
 #include "experiment.h"
 
 namespace compare {
-/*! Arguments that cannot be obeyed: what is wrong and what to do. */
-/*! What the command line asks for: a comparison, or the help to show. */
-struct Request
-{
-  std::optional<Settings> settings;
-  std::string help;
-};
+using Request = tutorial::RequestFor<Settings>;
 
 /*! \exception UsageError : If the arguments are wrong. */
 Request parseCommandLine(int argc, const char *const argv[]);

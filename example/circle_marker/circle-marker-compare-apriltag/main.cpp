@@ -23,10 +23,10 @@
 
 #include <iostream>
 
+#include "circle_marker/common/program.h"
 #include "command_line.h"
 #include "common/files.h"
 #include "common/progress.h"
-#include "common/run_program.h"
 #include "plots.h"
 #include "report.h"
 #include "summary.h"
@@ -41,7 +41,7 @@ std::vector<Trial> makeTrialsWithProgress(const Settings &settings)
   return makeTrials(settings, [&line](std::size_t done, std::size_t all) { line.show(done, all); });
 }
 
-void carryOut(const Settings &settings)
+int carryOut(const Settings &settings)
 {
   makeFolder(settings.output); // Before the minutes that the trials take.
   const std::vector<Trial> trials = makeTrialsWithProgress(settings);
@@ -51,19 +51,11 @@ void carryOut(const Settings &settings)
   writeWhole(settings.output, "compare.gp", plotScript(settings, trials));
   std::cout << tableOf(settings, summary) << std::flush;
   drawPlots(settings.output, "compare.gp", plotFiles);
+  return 0;
 }
 } // namespace
 
 int main(int argc, const char *argv[])
 {
-  return runProgram("circle-marker-compare-apriltag", [argc, argv]() {
-    const Request request = parseCommandLine(argc, argv);
-    if (request.settings) {
-      carryOut(*request.settings);
-    }
-    else {
-      std::cout << request.help;
-    }
-    return 0;
-  });
+  return tutorial::Program("circle-marker-compare-apriltag").run(parseCommandLine, argc, argv, carryOut);
 }

@@ -22,9 +22,9 @@
 #include <iomanip>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
 #include <visp3/core/vpException.h>
 
+#include "circle_marker/common/parse.h"
 #include "command_line.h"
 
 namespace create {
@@ -191,22 +191,6 @@ Order orderOf(const Arguments &arguments)
   const unsigned int perPage = markersPerPageOf(arguments, sheet, squareSide(family, diameter), largest);
   return Order{family, ids, diameter, sheet, perPage, arguments.dotsPerInch, arguments.output, format};
 }
-
-/*! Arguments in the order CLI11 wants them, last first; options may be written with underscores, as ViSP's tools do. */
-std::vector<std::string> reversedArguments(int argc, const char *const argv[])
-{
-  std::vector<std::string> arguments;
-  for (int i = argc - 1; i > 0; --i) {
-    std::string argument = argv[i];
-    if (argument.compare(0, 2, "--") == 0) {
-      std::replace(argument.begin(),
-                   argument.begin() + static_cast<std::ptrdiff_t>(std::min(argument.find('='), argument.size())), '_',
-                   '-');
-    }
-    arguments.push_back(argument);
-  }
-  return arguments;
-}
 } // namespace
 
 Request parseCommandLine(int argc, const char *const argv[])
@@ -233,20 +217,15 @@ Request parseCommandLine(int argc, const char *const argv[])
   app.footer("\"picture_m\" is the size of the page, metres; \"pixels\" that of the PNG, and for SVG and PDF of a "
              "rendering at --dpi.\nWith --sheet none a PNG covers the square with whole pixels, so its density may "
              "differ from --dpi by half a pixel over the picture.");
-  try {
-    std::vector<std::string> reversed = reversedArguments(argc, argv);
-    app.parse(reversed);
-    if (arguments.listFamilies) {
-      return Request{std::nullopt, listOfFamilies()};
-    }
-    arguments.ratioGiven = ratio->count() > 0;
-    return Request{orderOf(arguments), ""};
-  }
-  catch (const CLI::CallForHelp &) {
+  if (!tutorial::parse(app, argc, argv)) {
     return Request{std::nullopt, app.help()};
   }
-  catch (const CLI::ParseError &e) {
-    throw UsageError(std::string(e.what()) + "; see --help");
+  if (arguments.listFamilies) {
+    return Request{std::nullopt, listOfFamilies()};
+  }
+  arguments.ratioGiven = ratio->count() > 0;
+  try {
+    return Request{orderOf(arguments), ""};
   }
   catch (const vpException &e) {
     throw UsageError(e.what());

@@ -19,22 +19,17 @@
 #define VP_CREATE_COMMAND_LINE_H
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 
+#include "circle_marker/common/arguments.h"
 #include "marker_shapes.h"
 #include "sheet_layout.h"
 
 namespace create {
-/*! Arguments that cannot be obeyed: what is wrong and what to do. */
-class UsageError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
+using tutorial::UsageError;
 
 enum class Format
 {
@@ -56,12 +51,7 @@ struct Order
   Format format;
 };
 
-/*! What the command line asks for: an order, or a text to show (help, list of families). */
-struct Request
-{
-  std::optional<Order> order;
-  std::string text;
-};
+using Request = tutorial::RequestFor<Order>;
 
 /*! \exception UsageError : If the arguments are wrong. */
 Request parseCommandLine(int argc, const char *const argv[]);

@@ -27,6 +27,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "circle_marker/common/program.h"
 #include "command_line.h"
 #include "encode.h"
 #include "page.h"
@@ -118,18 +119,8 @@ std::string carryOut(const Order &order)
 
 int main(int argc, const char *argv[])
 {
-  const std::string name = "circle-marker-create";
-  try {
-    const Request request = parseCommandLine(argc, argv);
-    std::cout << (request.order ? carryOut(*request.order) : request.text);
+  return tutorial::Program("circle-marker-create").run(parseCommandLine, argc, argv, [](const Order &order) {
+    std::cout << carryOut(order);
     return 0;
-  }
-  catch (const UsageError &e) {
-    std::cerr << name << ": " << e.what() << std::endl;
-    return 2;
-  }
-  catch (const std::exception &e) {
-    std::cerr << name << ": " << e.what() << std::endl;
-    return 1;
-  }
+  });
 }

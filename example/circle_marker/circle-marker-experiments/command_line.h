@@ -18,18 +18,11 @@
 #ifndef VP_EXPERIMENTS_COMMAND_LINE_H
 #define VP_EXPERIMENTS_COMMAND_LINE_H
 
-#include <optional>
-#include <string>
-
+#include "circle_marker/common/arguments.h"
 #include "settings.h"
 
 namespace experiments {
-/*! What the command line asks for: experiments, or the help to show. */
-struct Request
-{
-  std::optional<Settings> settings;
-  std::string help;
-};
+using Request = tutorial::RequestFor<Settings>;
 
 /*! \exception UsageError : If the arguments are wrong. */
 Request parseCommandLine(int argc, const char *const argv[]);

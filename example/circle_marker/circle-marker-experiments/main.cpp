@@ -27,10 +27,10 @@
 #include <iterator>
 #include <map>
 
+#include "circle_marker/common/program.h"
 #include "command_line.h"
 #include "common/files.h"
 #include "common/progress.h"
-#include "common/run_program.h"
 #include "report.h"
 #include "report_recording.h"
 #include "run.h"
@@ -102,7 +102,7 @@ void evaluateRecording(const Settings &settings, Document &document, std::vector
   append(figuresOfRecording(recording), figures);
 }
 
-void carryOut(Settings settings)
+int carryOut(Settings settings)
 {
   makeFolder(settings.output); // Before the minutes that the frames take.
   Document document("The experiments of the thesis, done again");
@@ -130,19 +130,11 @@ void carryOut(Settings settings)
   writeWhole(settings.output, "report.gp", figureScript(figures));
   std::cout << document.markdown() << std::flush;
   drawPlots(settings.output, "report.gp", filesOf(figures));
+  return 0;
 }
 } // namespace
 
 int main(int argc, const char *argv[])
 {
-  return runProgram("circle-marker-experiments", [argc, argv]() {
-    const Request request = parseCommandLine(argc, argv);
-    if (request.settings) {
-      carryOut(*request.settings);
-    }
-    else {
-      std::cout << request.help;
-    }
-    return 0;
-  });
+  return tutorial::Program("circle-marker-experiments").run(parseCommandLine, argc, argv, carryOut);
 }

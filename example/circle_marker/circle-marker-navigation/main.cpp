@@ -25,20 +25,22 @@
 
 #include <visp3/io/vpImageIo.h>
 
+#include "circle_marker/common/program.h"
 #include "circle_marker/common/whole_file.h"
 #include "common/arguments.h"
 #include "common/files.h"
 #include "common/progress.h"
-#include "common/run_program.h"
 #include "drive.h"
 #include "report.h"
 
 using namespace navigation;
 
 namespace {
-/*! \return False: help was asked for, and shown. */
-bool readSettings(int argc, const char *const argv[], Settings &settings)
+const tutorial::Program program("circle-marker-navigation");
+
+tutorial::RequestFor<Settings> parseCommandLine(int argc, const char *const argv[])
 {
+  Settings settings;
   CLI::App app("A simulated robot with a camera drives through a room. It reads its tasks from the payloads of the "
                "markers before it, and\nlocalises itself by all markers that it sees: their poses from the database, "
                "fused by the covariances.",
@@ -63,10 +65,9 @@ bool readSettings(int argc, const char *const argv[], Settings &settings)
       "x; {\"task\": \"stop\"}.\nThe robot starts at x = 0, z = 3.8 and looks along z. Ends with 0 only if all "
       "tasks were done.");
   if (!common::parse(app, argc, argv)) {
-    std::cout << app.help();
-    return false;
+    return {std::nullopt, app.help()};
   }
-  return true;
+  return {settings, ""};
 }
 
 int carryOut(const Settings &settings)
@@ -88,8 +89,7 @@ int carryOut(const Settings &settings)
                          [&](const std::string &temporary) { vpImageIo::write(journey.stations[i].view, temporary); });
   }
   if (!journey.isComplete) {
-    std::cerr << "circle-marker-navigation: " << journey.problem << "; see " << settings.output << "/map.svg"
-              << std::endl;
+    program.complain(journey.problem + "; see " + settings.output + "/map.svg");
   }
   return journey.isComplete ? 0 : 1;
 }
@@ -97,8 +97,5 @@ int carryOut(const Settings &settings)
 
 int main(int argc, const char *argv[])
 {
-  return common::runProgram("circle-marker-navigation", [argc, argv]() {
-    Settings settings;
-    return readSettings(argc, argv, settings) ? carryOut(settings) : 0;
-  });
+  return program.run(parseCommandLine, argc, argv, carryOut);
 }

@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "circle_marker/common/arguments.h"
 #include "common/room.h"
 #include "script.h"
 
@@ -43,12 +44,7 @@ struct Order
   bool display = true;
 };
 
-/*! What the command line asks for: an order, or a text to show. */
-struct Request
-{
-  std::optional<Order> order;
-  std::string text;
-};
+using Request = tutorial::RequestFor<Order>;
 
 /*! \exception common::UsageError : If the arguments are wrong. */
 Request parseCommandLine(int argc, const char *const argv[]);

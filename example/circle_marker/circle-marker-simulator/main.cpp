@@ -27,13 +27,13 @@
 #include <visp3/io/vpImageIo.h>
 #include <visp3/robot/vpSimulatorCamera.h>
 
+#include "circle_marker/common/program.h"
 #include "circle_marker/common/numbered_name.h"
 #include "circle_marker/common/servo/servo_eyes.h"
 #include "circle_marker/common/servo/servo_loop.h"
 #include "circle_marker/common/servo/servo_task.h"
 #include "circle_marker/common/whole_file.h"
 #include "common/progress.h"
-#include "common/run_program.h"
 
 #include "command_line.h"
 #include "controls.h"
@@ -44,7 +44,7 @@
 using namespace simulator;
 
 namespace {
-const std::string programName = "circle-marker-simulator";
+const tutorial::Program program("circle-marker-simulator");
 
 /*!
   The servo whose camera this is: it goes in front of the nearest marker that was seen when it began, by what the
@@ -196,13 +196,8 @@ private:
 
 int main(int argc, const char *argv[])
 {
-  return common::runProgram(programName, [argc, argv]() {
-    const Request request = parseCommandLine(argc, argv);
-    if (!request.order) {
-      std::cout << request.text;
-      return 0;
-    }
-    Run run(*request.order);
+  return program.run(parseCommandLine, argc, argv, [](const Order &order) {
+    Run run(order);
     run.all();
     return 0;
   });

@@ -15,26 +15,9 @@
  * Command lines: options as ViSP's tools write them, numbers within ranges.
  */
 
-#include <algorithm>
-#include <cstddef>
-
 #include "arguments.h"
 
 namespace common {
-std::vector<std::string> reversedArguments(int argc, const char *const argv[])
-{
-  std::vector<std::string> arguments;
-  for (int i = argc - 1; i > 0; --i) {
-    std::string argument = argv[i];
-    if (argument.compare(0, 2, "--") == 0) {
-      const std::size_t length = std::min(argument.find('='), argument.size());
-      std::replace(argument.begin(), argument.begin() + static_cast<std::ptrdiff_t>(length), '_', '-');
-    }
-    arguments.push_back(argument);
-  }
-  return arguments;
-}
-
 CLI::Validator numberIn(double least, double most)
 {
   const std::string range = CLI::detail::to_string(least) + " to " + CLI::detail::to_string(most);
@@ -45,20 +28,5 @@ CLI::Validator numberIn(double least, double most)
         return isGood ? std::string() : "\"" + text + "\" is not a number from " + range;
       },
       range);
-}
-
-bool parse(CLI::App &app, int argc, const char *const argv[])
-{
-  try {
-    std::vector<std::string> reversed = reversedArguments(argc, argv);
-    app.parse(reversed);
-    return true;
-  }
-  catch (const CLI::CallForHelp &) {
-    return false;
-  }
-  catch (const CLI::ParseError &e) {
-    throw UsageError(std::string(e.what()) + "; see --help");
-  }
 }
 } // namespace common

@@ -12,39 +12,23 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Command lines: options as ViSP's tools write them, numbers within ranges.
+ * Command lines: as the tutorials have them, and numbers within ranges.
  */
 
 #ifndef VP_COMMON_ARGUMENTS_H
 #define VP_COMMON_ARGUMENTS_H
 
-#include <stdexcept>
-#include <string>
-#include <vector>
-
 #include <CLI/CLI.hpp>
 
-namespace common {
-/*! Wrong arguments: the program ends with 2. */
-class UsageError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
+#include "circle_marker/common/arguments.h"
+#include "circle_marker/common/parse.h"
 
-/*! Arguments in the order CLI11 wants them, last first; options may be written with underscores. */
-std::vector<std::string> reversedArguments(int argc, const char *const argv[]);
+namespace common {
+using tutorial::parse;
+using tutorial::UsageError;
 
 /*! A number in a range; CLI11's own check lets what is no number (nan) pass. */
 CLI::Validator numberIn(double least, double most);
-
-/*!
-  Parses arguments.
-
-  \return True: go on; false: help is asked for, app.help().
-  \exception UsageError : If the arguments are wrong.
-*/
-bool parse(CLI::App &app, int argc, const char *const argv[]);
 } // namespace common
 
 #endif

@@ -22,16 +22,15 @@
 #include <cstddef>
 #include <string>
 
+#include "circle_marker/common/status_line.h"
+
 namespace common {
-/*! A line of the standard error that is rewritten on a terminal; elsewhere a new line every half minute. */
+/*! A line of the standard error that says how much is done and how long the rest takes. */
 class ProgressLine
 {
 public:
   /*! \param items : What is counted, such as "frames". */
   explicit ProgressLine(const std::string &items = "frames");
-  ProgressLine(const ProgressLine &) = delete;
-  ProgressLine &operator=(const ProgressLine &) = delete;
-  ~ProgressLine();
 
   /*! Shows how much is done, and the time left if the rest takes as long in proportion. */
   void show(std::size_t done, std::size_t all);
@@ -39,10 +38,9 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  std::string m_items;       //!< What is counted.
-  bool m_isTerminal;         //!< Whether anybody reads it.
-  Clock::time_point m_start; //!< When the work began.
-  Clock::time_point m_last;  //!< When the line was last written.
+  std::string m_items;         //!< What is counted.
+  Clock::time_point m_start;   //!< When the work began.
+  tutorial::StatusLine m_line; //!< Where it is written.
 };
 } // namespace common
 

@@ -20,6 +20,7 @@
 
 #include <visp3/core/vpCameraParameters.h>
 
+#include "circle_marker/common/moved_camera.h"
 #include "visp_names.h"
 
 namespace common {
@@ -40,21 +41,7 @@ inline vpCameraParameters referenceCamera()
 inline vpCameraParameters halfPixelCamera(const vpCameraParameters &cam)
 {
   constexpr double offset = 0.5; // pixels
-  vpCameraParameters shifted;
-  switch (cam.get_projModel()) {
-  case vpCameraParameters::perspectiveProjWithoutDistortion:
-    shifted.initPersProjWithoutDistortion(cam.get_px(), cam.get_py(), cam.get_u0() + offset, cam.get_v0() + offset);
-    break;
-  case vpCameraParameters::perspectiveProjWithDistortion:
-    shifted.initPersProjWithDistortion(cam.get_px(), cam.get_py(), cam.get_u0() + offset, cam.get_v0() + offset,
-                                       cam.get_kud(), cam.get_kdu());
-    break;
-  default:
-    shifted.initProjWithKannalaBrandtDistortion(cam.get_px(), cam.get_py(), cam.get_u0() + offset,
-                                                cam.get_v0() + offset, cam.getKannalaBrandtDistortionCoefficients());
-    break;
-  }
-  return shifted;
+  return tutorial::movedPrincipalPoint(cam, offset, offset);
 }
 } // namespace common
 

@@ -71,6 +71,10 @@ Scenario read()
   result.family = json.value("family", result.family);
   result.id = json.value("id", result.id);
   result.size = json.value("size", result.size);
+  for (const Json &marker : json.value("sheet", Json::array())) {
+    const Json &center = marker.at("center_m");
+    result.sheet.push_back(SheetMarker{marker.at("id"), marker.at("size_m"), center.at(0), center.at(1)});
+  }
   for (const Json &pose : json.value("poses", Json::array())) {
     result.poses.push_back(matrixOf(pose));
   }

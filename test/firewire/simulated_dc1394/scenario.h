@@ -40,6 +40,14 @@ struct CameraEntry
   std::string vendor, model;
 };
 
+/*! A marker of a sheet, z into the sheet. */
+struct SheetMarker
+{
+  int id = 0;
+  double size = 0.;      //!< Outer diameter of its ring, metres.
+  double x = 0., y = 0.; //!< Of its centre on the sheet, metres.
+};
+
 /*!
   The content of the file that the environment variable CIRCLE_MARKER_SIMULATED_BUS names (JSON); without it the bus is
   empty. Numbers of frames count from 0, as the cameras deliver them.
@@ -63,6 +71,7 @@ struct Scenario
   std::string family = "golay23";         //!< Of the marker that the cameras see.
   int id = 5;                             //!< Of the marker.
   double size = 0.18;                     //!< Outer diameter of its ring, metres.
+  std::vector<SheetMarker> sheet;         //!< In place of the one marker: a white sheet with these.
   std::vector<vpHomogeneousMatrix> poses; //!< cMo of the frames, from the first again after the last.
   bool isSameNoise = false;               //!< Every frame has the noise and the pose of the first.
   std::string poseFile;                   //!< 16 numbers: cMo of the next frame, in place of the poses.

@@ -17,6 +17,7 @@
 
 #include "simulated_camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -52,6 +53,31 @@ vpHomogeneousMatrix poseOf(long number)
   }
   return plan.poses.at(static_cast<std::size_t>(number) % plan.poses.size());
 }
+
+vpHomogeneousMatrix shiftedInPlane(const vpHomogeneousMatrix &cMo, double x, double y)
+{
+  return cMo * vpHomogeneousMatrix(x, y, 0., 0., 0., 0.);
+}
+
+/*! A sheet with its markers; the pose is that of the place of the sheet from which the markers' places count. */
+void addSheet(vpMarkerSceneSimulator &simulator, const Scenario &plan, const vpHomogeneousMatrix &cMo)
+{
+  double left = HUGE_VAL, right = -HUGE_VAL, top = HUGE_VAL, bottom = -HUGE_VAL;
+  for (const SheetMarker &marker : plan.sheet) {
+    left = std::min(left, marker.x - marker.size);
+    right = std::max(right, marker.x + marker.size);
+    top = std::min(top, marker.y - marker.size);
+    bottom = std::max(bottom, marker.y + marker.size);
+  }
+  simulator.addMarker(vpSimulatedMarker::bitmap(vpImage<unsigned char>(1, 1, 255), right - left, bottom - top)
+                          .setPose(shiftedInPlane(cMo, 0.5 * (left + right), 0.5 * (top + bottom))));
+  for (const SheetMarker &marker : plan.sheet) {
+    // A little of the white around, so that no two markers overlap.
+    simulator.addMarker(vpSimulatedMarker::circle(plan.family, marker.id, marker.size)
+                            .setPose(shiftedInPlane(cMo, marker.x, marker.y))
+                            .setSheetSide(1.05 * marker.size));
+  }
+}
 } // namespace
 
 vpImage<unsigned char> renderFrame(long number, unsigned int width, unsigned int height)
@@ -66,7 +92,12 @@ vpImage<unsigned char> renderFrame(long number, unsigned int width, unsigned int
   simulator.setPhotometry(photometry);
   simulator.setBackground(vpSceneBackground::plain(110.));
   const Scenario &plan = scenario();
-  simulator.addMarker(vpSimulatedMarker::circle(plan.family, plan.id, plan.size).setPose(poseOf(number)));
+  if (plan.sheet.empty()) {
+    simulator.addMarker(vpSimulatedMarker::circle(plan.family, plan.id, plan.size).setPose(poseOf(number)));
+  }
+  else {
+    addSheet(simulator, plan, poseOf(number));
+  }
   vpImage<unsigned char> I;
   simulator.render(I, static_cast<std::uint64_t>(number) + 1);
   return I;

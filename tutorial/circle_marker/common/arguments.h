@@ -12,16 +12,15 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Options as ViSP's programs take them.
+ * What a command line comes to.
  */
 
 #ifndef VP_TUTORIAL_ARGUMENTS_H
 #define VP_TUTORIAL_ARGUMENTS_H
 
-#include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace tutorial {
 /*! Wrong arguments: the program ends with 2. */
@@ -31,22 +30,12 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/*!
-  Arguments in the order CLI11 wants them, last first; options may be written with underscores, as ViSP's tools do.
-*/
-inline std::vector<std::string> reversedArguments(int argc, const char *const argv[])
+/*! What a command line asks for: an order, or a text to be shown instead, such as the help. */
+template <class Order> struct RequestFor
 {
-  std::vector<std::string> arguments;
-  for (int i = argc - 1; i > 0; --i) {
-    std::string argument = argv[i];
-    if (argument.compare(0, 2, "--") == 0) {
-      const std::size_t length = std::min(argument.find('='), argument.size());
-      std::replace(argument.begin(), argument.begin() + static_cast<std::ptrdiff_t>(length), '_', '-');
-    }
-    arguments.push_back(argument);
-  }
-  return arguments;
-}
+  std::optional<Order> order;
+  std::string text;
+};
 } // namespace tutorial
 
 #endif

@@ -17,9 +17,8 @@
 
 #include "command_line.h"
 
-#include <CLI/CLI.hpp>
-
 #include "../common/numbered_name.h"
+#include "../common/parse.h"
 
 namespace tutorial {
 namespace {
@@ -73,23 +72,17 @@ Request parseCommandLine(int argc, const char *const argv[])
       "In the window: left button record or stop, without --record quit; right button, q or Escape quit; space hold; "
       "r record or\nstop; 2 the second pose; u uncertainty; h these keys.\n"
       "Ends with 0, or with 1 if the camera failed or images came damaged.");
-  try {
-    std::vector<std::string> reversed = reversedArguments(argc, argv);
-    if (isAsked(reversed, "--list-cameras") && !isAsked(reversed, "--help") && !isAsked(reversed, "-h")) {
-      return Request{std::nullopt, listCameras()};
-    }
-    app.parse(reversed);
-    order.camera = camera.settings();
-    order.detector = detector.settings();
-    order.display = !displayOff;
-    check(order);
-    return Request{order, ""};
+  const std::vector<std::string> given = reversedArguments(argc, argv);
+  if (isAsked(given, "--list-cameras") && !isAsked(given, "--help") && !isAsked(given, "-h")) {
+    return Request{std::nullopt, listCameras()};
   }
-  catch (const CLI::CallForHelp &) {
+  if (!parse(app, argc, argv)) {
     return Request{std::nullopt, app.help()};
   }
-  catch (const CLI::ParseError &e) {
-    throw UsageError(std::string(e.what()) + "; see --help");
-  }
+  order.camera = camera.settings();
+  order.detector = detector.settings();
+  order.display = !displayOff;
+  check(order);
+  return Request{order, ""};
 }
 } // namespace tutorial

@@ -22,8 +22,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <csignal>
-#include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -36,7 +34,9 @@
 #include "../common/cameras/region_camera.h"
 #include "../common/detection/json_line.h"
 #include "../common/detection/marker_overlay.h"
+#include "../common/interruption.h"
 #include "../common/processor_time.h"
+#include "../common/program.h"
 #include "../common/visp_names.h"
 #include "../common/whole_file.h"
 #include "command_line.h"
@@ -47,19 +47,7 @@
 using namespace tutorial;
 
 namespace {
-const std::string programName = "tutorial-circle-marker-detector-live";
-
-void complain(const std::string &message)
-{
-  std::cerr << programName << ": " << message << std::endl;
-}
-
-volatile std::sig_atomic_t isInterrupted = 0;
-
-void onInterrupt(int)
-{
-  isInterrupted = 1;
-}
+const Program program("tutorial-circle-marker-detector-live");
 
 //! [Detection]
 ImageResult detectMarkers(vpDetectorCircleMarker &detector, const Frame &frame, const DetectorSettings &settings,
@@ -115,7 +103,7 @@ public:
     catch (const SourceError &e) {
       m_isGood = false;
       endProgress();
-      complain(e.what());
+      program.complain(e.what());
     }
     finish();
     return m_isGood && m_feed->counts().damaged == 0;
@@ -126,7 +114,7 @@ private:
   {
     const bool isQuit = m_window && m_window->choices().quit;
     const bool isEnough = m_order.count && m_feed->counts().delivered >= *m_order.count;
-    return isQuit || isEnough || m_isEnd || isInterrupted != 0;
+    return isQuit || isEnough || m_isEnd || isInterrupted();
   }
 
   //! [Step]
@@ -136,7 +124,7 @@ private:
     FrameFeed::Delivery delivery = m_feed->wait(patience);
     if (!delivery.damage.empty()) {
       endProgress();
-      complain(delivery.damage);
+      program.complain(delivery.damage);
     }
     if (delivery.frame) {
       one(*delivery.frame);
@@ -160,7 +148,7 @@ private:
     const vpImage<unsigned char> &image = frame.image;
     const vpCameraParameters cam = m_camera.forImage(image.getWidth(), image.getHeight(), m_region);
     for (const std::string &note : m_camera.newNotes()) {
-      complain(note);
+      program.complain(note);
     }
     m_result = detectMarkers(m_detector, frame, m_order.detector, cam);
     const bool isRecorded = m_recorder && (!m_window || m_window->choices().record);
@@ -201,8 +189,8 @@ private:
       m_window->show(markerOverlay(m_image, m_result.detections, m_cam, m_window->choices().details), status);
     }
     catch (const vpException &e) {
-      complain(std::string("no window can be opened (") + e.what() +
-               "); going on without, --display-off does so silently; Ctrl-C ends");
+      program.complain(std::string("no window can be opened (") + e.what() +
+                       "); going on without, --display-off does so silently; Ctrl-C ends");
       m_window.reset();
     }
   }
@@ -256,23 +244,9 @@ private:
 
 int main(int argc, const char *argv[])
 {
-  try {
-    const Request request = parseCommandLine(argc, argv);
-    if (!request.order) {
-      std::cout << request.text;
-      return 0;
-    }
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
-    Run run(*request.order);
+  return program.run(parseCommandLine, argc, argv, [](const Order &order) {
+    watchInterruption();
+    Run run(order);
     return run.all() ? 0 : 1;
-  }
-  catch (const UsageError &e) {
-    complain(e.what());
-    return 2;
-  }
-  catch (const std::exception &e) {
-    complain(e.what());
-    return 1;
-  }
+  });
 }

@@ -17,9 +17,8 @@
 
 #include "command_line.h"
 
-#include <CLI/CLI.hpp>
-
 #include "../common/numbered_name.h"
+#include "../common/parse.h"
 
 namespace tutorial {
 namespace {
@@ -64,19 +63,12 @@ Request parseCommandLine(int argc, const char *const argv[])
   app.footer("Lines have \"image\", \"width\", \"height\", \"cpu_ms\" (time of the process for detection and pose) and "
              "\"markers\".\nA frame of a video is named video.mp4#12. An image that cannot be read is reported and has "
              "no line; the program then ends with 1.");
-  try {
-    std::vector<std::string> reversed = reversedArguments(argc, argv);
-    app.parse(reversed);
-    order.detector = options.settings();
-    order.display = !displayOff;
-    check(order);
-    return Request{order, ""};
-  }
-  catch (const CLI::CallForHelp &) {
+  if (!parse(app, argc, argv)) {
     return Request{std::nullopt, app.help()};
   }
-  catch (const CLI::ParseError &e) {
-    throw UsageError(std::string(e.what()) + "; see --help");
-  }
+  order.detector = options.settings();
+  order.display = !displayOff;
+  check(order);
+  return Request{order, ""};
 }
 } // namespace tutorial

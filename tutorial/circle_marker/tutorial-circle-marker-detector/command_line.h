@@ -40,12 +40,7 @@ struct Order
   bool display = true;       //!< Whether to open a window.
 };
 
-/*! An order, or a text that was asked for instead. */
-struct Request
-{
-  std::optional<Order> order;
-  std::string text;
-};
+using Request = RequestFor<Order>;
 
 /*!
   \exception UsageError : If the arguments are wrong.

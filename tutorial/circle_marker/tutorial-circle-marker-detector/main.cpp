@@ -20,7 +20,6 @@
   Finds circular markers in images: identity, both poses, covariance.
 */
 
-#include <exception>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -40,6 +39,7 @@
 #include "../common/detection/marker_overlay.h"
 #include "../common/numbered_name.h"
 #include "../common/processor_time.h"
+#include "../common/program.h"
 #include "../common/visp_names.h"
 #include "../common/whole_file.h"
 #include "../common/window.h"
@@ -48,12 +48,7 @@
 using namespace tutorial;
 
 namespace {
-const std::string programName = "tutorial-circle-marker-detector";
-
-void complain(const std::string &message)
-{
-  std::cerr << programName << ": " << message << std::endl;
-}
+const Program program("tutorial-circle-marker-detector");
 
 //! [Detection]
 ImageResult detectMarkers(vpDetectorCircleMarker &detector, const SourceImage &source, double size,
@@ -127,7 +122,7 @@ private:
     }
     catch (const vpException &e) {
       m_allUsed = false;
-      complain("\"" + source.name + "\" is left out: " + e.what());
+      program.complain("\"" + source.name + "\" is left out: " + e.what());
     }
   }
 
@@ -155,7 +150,7 @@ private:
       message << "the camera \"" << m_order.cameraName << "\" of \"" << m_order.cameraFile << "\" is for images of "
               << m_camera->width << " x " << m_camera->height << " pixels, but \"" << source.name << "\" has " << width
               << " x " << height << "; its parameters are used as they are: check that they are the right ones";
-      complain(message.str());
+      program.complain(message.str());
     }
     return m_camera->parameters;
   }
@@ -196,7 +191,7 @@ private:
     }
     catch (const vpException &e) {
       m_allUsed = false;
-      complain(e.what());
+      program.complain(e.what());
     }
   }
 
@@ -207,8 +202,8 @@ private:
       m_quit = m_window->click(true) == vpMouseButton::button3;
     }
     catch (const std::exception &e) {
-      complain(std::string("no window can be opened (") + e.what() +
-               "); going on without, --display-off does so silently");
+      program.complain(std::string("no window can be opened (") + e.what() +
+                       "); going on without, --display-off does so silently");
       m_window.reset();
     }
   }
@@ -229,21 +224,8 @@ private:
 
 int main(int argc, const char *argv[])
 {
-  try {
-    const Request request = parseCommandLine(argc, argv);
-    if (!request.order) {
-      std::cout << request.text;
-      return 0;
-    }
-    Run run(*request.order);
+  return program.run(parseCommandLine, argc, argv, [](const Order &order) {
+    Run run(order);
     return run.all() ? 0 : 1;
-  }
-  catch (const UsageError &e) {
-    complain(e.what());
-    return 2;
-  }
-  catch (const std::exception &e) {
-    complain(e.what());
-    return 1;
-  }
+  });
 }

@@ -22,14 +22,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 //! [Include]
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
@@ -41,15 +38,16 @@
 #include <visp3/core/vpPoint.h>
 #include <visp3/io/vpImageIo.h>
 
-#include "../common/arguments.h"
 #include "../common/camera_file.h"
+#include "../common/parse.h"
+#include "../common/program.h"
 #include "../common/visp_names.h"
 #include "../common/window.h"
 
 using namespace tutorial;
 
 namespace {
-const char *const programName = "tutorial-circle-marker-or-apriltag";
+const Program program("tutorial-circle-marker-or-apriltag");
 
 /*! What the command line asks for. */
 struct Order
@@ -163,14 +161,13 @@ bool run(const Order &order)
   }
   return found;
 }
-} // namespace
 
-int main(int argc, const char *argv[])
+RequestFor<Order> parseCommandLine(int argc, const char *const argv[])
 {
   Order order;
   CLI::App app("Finds circular markers or AprilTags in an image, by the same lines of code.\n"
                "Ends with 1 where nothing is found.",
-               programName);
+               "tutorial-circle-marker-or-apriltag");
   app.add_option("--input", order.input, "An image")->required();
   app.add_option("--intrinsic", order.cameraFile, "Camera, an XML file of ViSP with any of its models")->required();
   app.add_option("--camera-name", order.cameraName, "Name of the camera in that file")->required();
@@ -183,23 +180,14 @@ int main(int argc, const char *argv[])
   app.add_flag("--z-aligned", order.zAlignedWithCameraAxis,
                "z into the marker and y down, not toward the camera and up");
   app.add_flag("--display-off", order.displayOff, "Open no window");
-  try {
-    std::vector<std::string> reversed = reversedArguments(argc, argv);
-    app.parse(reversed);
+  if (!parse(app, argc, argv)) {
+    return {std::nullopt, app.help()};
   }
-  catch (const CLI::CallForHelp &) {
-    std::cout << app.help();
-    return 0;
-  }
-  catch (const CLI::ParseError &e) {
-    std::cerr << programName << ": " << e.what() << "; see --help" << std::endl;
-    return 2;
-  }
-  try {
-    return run(order) ? 0 : 1;
-  }
-  catch (const std::exception &e) {
-    std::cerr << programName << ": " << e.what() << std::endl;
-    return 1;
-  }
+  return {order, ""};
+}
+} // namespace
+
+int main(int argc, const char *argv[])
+{
+  return program.run(parseCommandLine, argc, argv, [](const Order &order) { return run(order) ? 0 : 1; });
 }

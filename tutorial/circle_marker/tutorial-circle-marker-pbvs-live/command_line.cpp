@@ -17,7 +17,7 @@
 
 #include "command_line.h"
 
-#include <CLI/CLI.hpp>
+#include "../common/parse.h"
 
 namespace tutorial {
 namespace {
@@ -80,25 +80,18 @@ Request parseCommandLine(int argc, const char *const argv[])
   app.footer("The robot stands still while no marker is seen and after 0.2 s without an image. Ends with 0 only if the "
              "marker was seen where it\nshould be in ten images in a row, within half of the accepted errors; the "
              "simulated camera is judged by its true pose.");
-  try {
-    std::vector<std::string> reversed = reversedArguments(argc, argv);
-    app.parse(reversed);
-    if (camera.source != "simulator") {
-      order.camera = camera.settings();
-    }
-    order.detector = detector.settings();
-    order.limits = ServoLimits{speed, turn * degree};
-    order.acceptedDistance = 1e-3 * acceptedDistance;
-    order.acceptedAngle = acceptedAngle * degree;
-    order.display = !displayOff;
-    check(order);
-    return Request{order, ""};
-  }
-  catch (const CLI::CallForHelp &) {
+  if (!parse(app, argc, argv)) {
     return Request{std::nullopt, app.help()};
   }
-  catch (const CLI::ParseError &e) {
-    throw UsageError(std::string(e.what()) + "; see --help");
+  if (camera.source != "simulator") {
+    order.camera = camera.settings();
   }
+  order.detector = detector.settings();
+  order.limits = ServoLimits{speed, turn * degree};
+  order.acceptedDistance = 1e-3 * acceptedDistance;
+  order.acceptedAngle = acceptedAngle * degree;
+  order.display = !displayOff;
+  check(order);
+  return Request{order, ""};
 }
 } // namespace tutorial

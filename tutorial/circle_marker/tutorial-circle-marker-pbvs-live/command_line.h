@@ -48,12 +48,7 @@ struct Order
   std::string folder = ".";             //!< For table, plot and pictures.
 };
 
-/*! An order, or a text that was asked for instead. */
-struct Request
-{
-  std::optional<Order> order;
-  std::string text;
-};
+using Request = RequestFor<Order>;
 
 /*!
   \exception UsageError : If the arguments are wrong.

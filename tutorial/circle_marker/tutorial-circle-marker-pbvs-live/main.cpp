@@ -20,8 +20,6 @@
   Position-based visual servo of a robot that carries a camera, on a circular marker.
 */
 
-#include <csignal>
-#include <exception>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -34,6 +32,8 @@
 
 #include "../common/cameras/frame_feed.h"
 #include "../common/cameras/region_camera.h"
+#include "../common/interruption.h"
+#include "../common/program.h"
 #include "../common/servo/feed_eyes.h"
 #include "../common/servo/live_view.h"
 #include "../common/servo/servo_loop.h"
@@ -46,19 +46,7 @@
 using namespace tutorial;
 
 namespace {
-const std::string programName = "tutorial-circle-marker-pbvs-live";
-
-void complain(const std::string &message)
-{
-  std::cerr << programName << ": " << message << std::endl;
-}
-
-volatile std::sig_atomic_t isInterrupted = 0;
-
-void onInterrupt(int)
-{
-  isInterrupted = 1;
-}
+const Program program("tutorial-circle-marker-pbvs-live");
 
 /*! The camera, whichever it is, and what the servo must know of it. */
 struct Vision
@@ -67,20 +55,6 @@ struct Vision
   std::unique_ptr<ServoEyes> eyes;
   ServoCamera camera;
 };
-
-/*! The reference camera of the project's figures, data/camera.xml, or the one that was asked for. */
-ServoCamera simulatedCamera(const Order &order)
-{
-  if (order.cameraFile.empty()) {
-    return ServoCamera{vpCameraParameters(1600., 1600., 639.5, 479.5), 1280, 960};
-  }
-  const NamedCamera camera = readCamera(order.cameraFile, order.cameraName, 0, 0);
-  if (camera.width == 0 || camera.height == 0) {
-    throw CameraError("\"" + order.cameraFile +
-                      "\" does not say the size of the images; add image_width and image_height");
-  }
-  return ServoCamera{camera.parameters, camera.width, camera.height};
-}
 
 /*! The marker with its quiet zone, in the middle of the object. */
 ServoObject objectOf(const Order &order)
@@ -108,7 +82,7 @@ void openSimulatedCamera(const Order &order, vpRobot &robot, Vision &vision)
   if (!families.empty() && (families.size() > 1 || families.front().getName() != "golay23")) {
     throw UsageError("the simulated camera shows a golay23 marker; leave out --family, or add --source");
   }
-  vision.camera = simulatedCamera(order);
+  vision.camera = servoCamera(order.cameraFile, order.cameraName);
   constexpr std::uint64_t seed = 1; // of the noise
   vision.eyes = std::make_unique<SimulatedEyes>(vision.camera, simulatedObject(order), *standIn,
                                                 desiredPose(order.distance), seed);
@@ -121,8 +95,8 @@ void openRealCamera(const Order &order, vpRobot &robot, Vision &vision)
   const ImageRegion region = source->region();
   const auto use = source->isLive() ? FrameFeed::Use::Newest : FrameFeed::Use::All;
   vision.feed.emplace(std::move(source), use);
-  vision.eyes = std::make_unique<FeedEyes>(
-      *vision.feed, order.camera->name, order.timeout, [] { return isInterrupted != 0; }, complain);
+  vision.eyes = std::make_unique<FeedEyes>(*vision.feed, order.camera->name, order.timeout, isInterrupted,
+                                           [](const std::string &message) { program.complain(message); });
   // The first image says how large they are.
   const std::optional<ServoView> first = vision.eyes->look([] {});
   if (!first) {
@@ -131,10 +105,11 @@ void openRealCamera(const Order &order, vpRobot &robot, Vision &vision)
   const unsigned int width = first->image.getWidth(), height = first->image.getHeight();
   vision.camera = ServoCamera{parameters.forImage(width, height, region), width, height};
   for (const std::string &note : parameters.newNotes()) {
-    complain(note);
+    program.complain(note);
   }
   if (dynamic_cast<const vpSimulatorCamera *>(&robot) != nullptr) {
-    complain("no robot was supplied: the velocities are computed and written, and nothing moves; see user_robot.h");
+    program.complain(
+        "no robot was supplied: the velocities are computed and written, and nothing moves; see user_robot.h");
   }
 }
 
@@ -169,7 +144,7 @@ ServoRecord run(const Order &order, const ServoGoal &goal, ServoEyes &eyes, vpRo
     progress.emplace(goal);
   }
   const ServoRecord record = runServo(eyes, robot, goal, [&](const vpImage<unsigned char> &I, const ServoStep &step) {
-    if (isInterrupted != 0) {
+    if (isInterrupted()) {
       return ServoWish::Quit;
     }
     if (progress) {
@@ -178,7 +153,7 @@ ServoRecord run(const Order &order, const ServoGoal &goal, ServoEyes &eyes, vpRo
     return view ? view->show(I, step) : ServoWish::Go;
   });
   progress.reset();
-  const bool quitByUser = isInterrupted != 0 || record.reason.find("click") != std::string::npos;
+  const bool quitByUser = isInterrupted() || record.reason.find("click") != std::string::npos;
   if (view && !quitByUser) {
     view->showEnd(record);
   }
@@ -200,14 +175,7 @@ void print(const ServoRecord &record)
 /*! \return Whether the servo has converged. */
 bool carryOut(const Order &order)
 {
-  if (!hasGnuplot()) {
-    throw UsageError("gnuplot, which draws servo.svg, cannot be run; install it (Debian: apt-get install gnuplot-nox)");
-  }
-  std::error_code error;
-  std::filesystem::create_directories(order.folder, error);
-  if (!std::filesystem::is_directory(order.folder)) {
-    throw UsageError("the folder \"" + order.folder + "\" cannot be made; name another with --output");
-  }
+  prepareReport(order.folder);
   const std::unique_ptr<vpRobot> robot = makeUserRobot(order.robotAddress);
   Vision vision;
   if (order.camera) {
@@ -221,7 +189,7 @@ bool carryOut(const Order &order)
   print(record);
   writeReport(order.folder, goal, record);
   if (!record.converged) {
-    complain("the servo has not reached the desired pose: " + record.reason);
+    program.complain("the servo has not reached the desired pose: " + record.reason);
   }
   return record.converged;
 }
@@ -229,22 +197,8 @@ bool carryOut(const Order &order)
 
 int main(int argc, const char *argv[])
 {
-  try {
-    const Request request = parseCommandLine(argc, argv);
-    if (!request.order) {
-      std::cout << request.text;
-      return 0;
-    }
-    std::signal(SIGINT, onInterrupt);
-    std::signal(SIGTERM, onInterrupt);
-    return carryOut(*request.order) ? 0 : 1;
-  }
-  catch (const UsageError &e) {
-    complain(e.what());
-    return 2;
-  }
-  catch (const std::exception &e) {
-    complain(e.what());
-    return 1;
-  }
+  return program.run(parseCommandLine, argc, argv, [](const Order &order) {
+    watchInterruption();
+    return carryOut(order) ? 0 : 1;
+  });
 }

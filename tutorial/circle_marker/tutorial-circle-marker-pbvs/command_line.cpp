@@ -19,7 +19,7 @@
 
 #include <map>
 
-#include <CLI/CLI.hpp>
+#include "../common/parse.h"
 
 namespace tutorial {
 Request parseCommandLine(int argc, const char *const argv[])
@@ -53,18 +53,11 @@ Request parseCommandLine(int argc, const char *const argv[])
   app.add_option("--camera-name", order.cameraName, "Name of the camera in that file")->capture_default_str();
   app.footer("Ends with 0 only if every servo has brought the true pose within 1 mm and 0.1 degrees of the desired "
              "one.");
-  try {
-    std::vector<std::string> reversed = reversedArguments(argc, argv);
-    app.parse(reversed);
-    order.markers = choices.at(detector);
-    order.display = !displayOff;
-    return Request{order, ""};
-  }
-  catch (const CLI::CallForHelp &) {
+  if (!parse(app, argc, argv)) {
     return Request{std::nullopt, app.help()};
   }
-  catch (const CLI::ParseError &e) {
-    throw UsageError(std::string(e.what()) + "; see --help");
-  }
+  order.markers = choices.at(detector);
+  order.display = !displayOff;
+  return Request{order, ""};
 }
 } // namespace tutorial

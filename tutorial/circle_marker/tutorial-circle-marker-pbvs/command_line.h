@@ -39,12 +39,7 @@ struct Order
   std::string cameraName = "Camera";           //!< Name of the camera in it.
 };
 
-/*! An order, or a text that was asked for instead. */
-struct Request
-{
-  std::optional<Order> order;
-  std::string text;
-};
+using Request = RequestFor<Order>;
 
 /*!
   \exception UsageError : If the arguments are wrong.

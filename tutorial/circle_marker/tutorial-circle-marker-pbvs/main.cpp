@@ -21,7 +21,6 @@
 */
 
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -30,7 +29,7 @@
 #include <string>
 #include <vector>
 
-#include "../common/camera_file.h"
+#include "../common/program.h"
 #include "../common/servo/live_view.h"
 #include "../common/servo/servo_loop.h"
 #include "../common/servo/servo_progress.h"
@@ -43,27 +42,7 @@
 using namespace tutorial;
 
 namespace {
-const std::string programName = "tutorial-circle-marker-pbvs";
-
-void complain(const std::string &message)
-{
-  std::cerr << programName << ": " << message << std::endl;
-}
-
-/*! The reference camera of the project's figures, data/camera.xml, or the one that was asked for. */
-ServoCamera cameraOf(const Order &order)
-{
-  if (order.cameraFile.empty()) {
-    return ServoCamera{vpCameraParameters(1600., 1600., 639.5, 479.5), 1280, 960};
-  }
-  const NamedCamera camera = readCamera(order.cameraFile, order.cameraName, 0, 0);
-  if (camera.width == 0 || camera.height == 0) {
-    throw CameraError("\"" + order.cameraFile +
-                      "\" does not say the size of the images; add image_width and "
-                      "image_height");
-  }
-  return ServoCamera{camera.parameters, camera.width, camera.height};
-}
+const Program program("tutorial-circle-marker-pbvs");
 
 /*! A servo to be run. */
 struct ServoProblem
@@ -81,7 +60,7 @@ ServoProblem makeProblem(const Order &order, unsigned int run)
   }
   ServoProblem problem;
   problem.seed = order.seed + run;
-  problem.goal.camera = cameraOf(order);
+  problem.goal.camera = servoCamera(order.cameraFile, order.cameraName);
   problem.goal.object = makeObject(order.markers);
   problem.goal.cdMo = desiredPose();
   problem.start = randomStart(problem.goal.camera, problem.goal.object, range, problem.seed);
@@ -113,8 +92,8 @@ ServoRecord runWithDisplay(const ServoProblem &problem)
     view.emplace(problem.goal);
   }
   catch (const vpException &e) {
-    complain(std::string("no window can be opened (") + e.what() +
-             "); going on without, --display-off does so silently");
+    program.complain(std::string("no window can be opened (") + e.what() +
+                     "); going on without, --display-off does so silently");
     return runWithoutDisplay(problem);
   }
   const ServoRecord record = runSimulated(
@@ -160,14 +139,7 @@ double badness(const ServoProblem &problem, const ServoRecord &record)
 /*! \return Whether all servos converged. */
 bool carryOut(const Order &order)
 {
-  if (!hasGnuplot()) {
-    throw UsageError("gnuplot, which draws servo.svg, cannot be run; install it (Debian: apt-get install gnuplot-nox)");
-  }
-  std::error_code error;
-  std::filesystem::create_directories(order.folder, error);
-  if (!std::filesystem::is_directory(order.folder)) {
-    throw UsageError("the folder \"" + order.folder + "\" cannot be made; name another with --output");
-  }
+  prepareReport(order.folder);
   std::string table = "seed,start_distance_m,images,distance_mm,angle_deg,object_mm,converged\n";
   std::optional<std::pair<ServoProblem, ServoRecord>> worst;
   unsigned int converged = 0;
@@ -197,24 +169,11 @@ bool carryOut(const Order &order)
 
 int main(int argc, const char *argv[])
 {
-  try {
-    const Request request = parseCommandLine(argc, argv);
-    if (!request.order) {
-      std::cout << request.text;
-      return 0;
-    }
-    if (!carryOut(*request.order)) {
-      complain("not every servo reached the desired pose; see servo.csv for the worst");
+  return program.run(parseCommandLine, argc, argv, [](const Order &order) {
+    if (!carryOut(order)) {
+      program.complain("not every servo reached the desired pose; see servo.csv for the worst");
       return 1;
     }
     return 0;
-  }
-  catch (const UsageError &e) {
-    complain(e.what());
-    return 2;
-  }
-  catch (const std::exception &e) {
-    complain(e.what());
-    return 1;
-  }
+  });
 }

@@ -21,24 +21,12 @@
 #include <sstream>
 #include <utility>
 
+#include "../moved_camera.h"
+
 namespace tutorial {
 vpCameraParameters shiftedCamera(const vpCameraParameters &cam, const ImageRegion &region)
 {
-  const double px = cam.get_px(), py = cam.get_py();
-  const double u0 = cam.get_u0() - region.left, v0 = cam.get_v0() - region.top;
-  vpCameraParameters shifted;
-  switch (cam.get_projModel()) {
-  case vpCameraParameters::perspectiveProjWithoutDistortion:
-    shifted.initPersProjWithoutDistortion(px, py, u0, v0);
-    break;
-  case vpCameraParameters::perspectiveProjWithDistortion:
-    shifted.initPersProjWithDistortion(px, py, u0, v0, cam.get_kud(), cam.get_kdu());
-    break;
-  default:
-    shifted.initProjWithKannalaBrandtDistortion(px, py, u0, v0, cam.getKannalaBrandtDistortionCoefficients());
-    break;
-  }
-  return shifted;
+  return movedPrincipalPoint(cam, -static_cast<double>(region.left), -static_cast<double>(region.top));
 }
 
 RegionCamera::RegionCamera(const std::string &file, const std::string &name) : m_file(file), m_name(name)

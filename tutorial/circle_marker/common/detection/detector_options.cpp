@@ -91,7 +91,8 @@ void DetectorOptions::addTo(CLI::App &app)
   app.add_option("--hamming", hamming, "Most sectors of a code that are corrected")->check(CLI::Range(0U, 5U));
   app.add_option("--config", configFile, "Settings of vpDetectorCircleMarker, JSON; other options go before it");
   app.add_option("--database", databaseFile,
-                 "What is known of the markers (sizes, names, payloads): JSON of vpCircleMarkerDatabase");
+                 "What is known of the markers, JSON of vpCircleMarkerDatabase: their sizes go before --size and "
+                 "--sizes, their names and payloads are told with them");
   app.add_option("--nthreads", threads, "Number of threads")->check(CLI::Range(1U, 1024U));
   app.add_option("--tracking", tracking,
                  "Follows markers from image to image: only every N-th is searched whole, or when a marker is lost")

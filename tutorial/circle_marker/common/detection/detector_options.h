@@ -57,7 +57,8 @@ struct DetectorOptions
   std::optional<unsigned int> threads;
   std::optional<unsigned int> tracking;
 
-  /*! Adds --size, --sizes, --family, --ratio, --hamming, --config, --nthreads and --tracking to a program. */
+  /*! Adds --size, --sizes, --family, --ratio, --hamming, --config, --database, --nthreads and --tracking to a program.
+   */
   void addTo(CLI::App &app);
 
   /*!

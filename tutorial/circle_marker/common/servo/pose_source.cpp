@@ -19,26 +19,15 @@
 
 #include <vector>
 
+#include "../moved_camera.h"
+
 namespace tutorial {
 namespace {
 /*! AprilTag counts pixels from their corners: its points lie 0.5 pixels right of and below those of ViSP. */
 vpCameraParameters forAprilTag(const vpCameraParameters &cam)
 {
   constexpr double shift = 0.5;
-  vpCameraParameters shifted;
-  const double px = cam.get_px(), py = cam.get_py(), u0 = cam.get_u0() + shift, v0 = cam.get_v0() + shift;
-  switch (cam.get_projModel()) {
-  case vpCameraParameters::perspectiveProjWithoutDistortion:
-    shifted.initPersProjWithoutDistortion(px, py, u0, v0);
-    break;
-  case vpCameraParameters::perspectiveProjWithDistortion:
-    shifted.initPersProjWithDistortion(px, py, u0, v0, cam.get_kud(), cam.get_kdu());
-    break;
-  default:
-    shifted.initProjWithKannalaBrandtDistortion(px, py, u0, v0, cam.getKannalaBrandtDistortionCoefficients());
-    break;
-  }
-  return shifted;
+  return movedPrincipalPoint(cam, shift, shift);
 }
 } // namespace
 

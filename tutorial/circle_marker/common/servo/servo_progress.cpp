@@ -20,41 +20,16 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <iostream>
 #include <sstream>
-
-#if !defined(_WIN32)
-#include <unistd.h>
-#endif
 
 namespace tutorial {
 namespace {
-constexpr std::chrono::milliseconds pause(250);      // between two writings on a terminal
-constexpr std::chrono::milliseconds logPause(30000); // between two lines in a log: short work leaves none
-constexpr std::size_t window = 25;                   // images: a second of the simulated camera
-constexpr const char *emptyLine = "\r                                                                      \r";
-
-bool errorIsTerminal()
-{
-#if !defined(_WIN32)
-  return isatty(STDERR_FILENO) == 1;
-#else
-  return false;
-#endif
-}
+constexpr std::size_t window = 25; // images: a second of the simulated camera
 } // namespace
 
 ServoProgress::ServoProgress(const ServoGoal &goal)
-    : m_acceptedDistance(goal.acceptedDistance), m_acceptedAngle(goal.acceptedAngle), m_isTerminal(errorIsTerminal()),
-      m_last(Clock::now())
+    : m_acceptedDistance(goal.acceptedDistance), m_acceptedAngle(goal.acceptedAngle)
 {
-}
-
-ServoProgress::~ServoProgress()
-{
-  if (m_isTerminal) {
-    std::cerr << emptyLine << std::flush;
-  }
 }
 
 std::optional<double> ServoProgress::secondsLeft() const
@@ -94,11 +69,8 @@ void ServoProgress::show(const ServoStep &step)
       m_recent.pop_front();
     }
   }
-  const Clock::time_point now = Clock::now();
-  if (now - m_last < (m_isTerminal ? pause : logPause)) {
-    return;
+  if (m_line.isDue()) {
+    m_line.write(line(step));
   }
-  m_last = now;
-  std::cerr << (m_isTerminal ? emptyLine : "") << line(step) << (m_isTerminal ? "" : "\n") << std::flush;
 }
 } // namespace tutorial

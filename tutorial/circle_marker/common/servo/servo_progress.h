@@ -18,26 +18,23 @@
 #ifndef VP_TUTORIAL_SERVO_PROGRESS_H
 #define VP_TUTORIAL_SERVO_PROGRESS_H
 
-#include <chrono>
 #include <deque>
 #include <optional>
 #include <string>
 
+#include "../status_line.h"
 #include "../visp_names.h"
 #include "servo_loop.h"
 
 namespace tutorial {
 /*!
-  A line of the standard error: on a terminal it is rewritten, elsewhere there is a new one every half minute. The time
-  left is that after which the error is as small as is asked for, if it goes on to decrease as in the last images.
+  A line of the standard error that says how far a servo is. The time left is that after which the error is as small as
+  is asked for, if it goes on to decrease as in the last images.
 */
 class ServoProgress
 {
 public:
   explicit ServoProgress(const ServoGoal &goal);
-  ServoProgress(const ServoProgress &) = delete;
-  ServoProgress &operator=(const ServoProgress &) = delete;
-  ~ServoProgress();
 
   /*! To be called with each image. */
   void show(const ServoStep &step);
@@ -46,8 +43,6 @@ public:
   std::string line(const ServoStep &step) const;
 
 private:
-  using Clock = std::chrono::steady_clock;
-
   /*! How far off the camera was at a time, in accepted errors. */
   struct Sample
   {
@@ -59,8 +54,7 @@ private:
 
   double m_acceptedDistance;   //!< Metres.
   double m_acceptedAngle;      //!< Radians.
-  bool m_isTerminal;           //!< Whether anybody reads it.
-  Clock::time_point m_last;    //!< When the line was last written.
+  StatusLine m_line;           //!< Where it is written.
   std::deque<Sample> m_recent; //!< The last images with a pose.
 };
 } // namespace tutorial

@@ -24,6 +24,7 @@
 #include <visp3/core/vpImageConvert.h>
 #include <visp3/io/vpImageIo.h>
 
+#include "../arguments.h"
 #include "../draw.h"
 #include "../whole_file.h"
 
@@ -114,6 +115,18 @@ std::string servoTable(const std::vector<ServoStep> &steps)
     out << '\n';
   }
   return out.str();
+}
+
+void prepareReport(const std::string &folder)
+{
+  if (!hasGnuplot()) {
+    throw UsageError("gnuplot, which draws servo.svg, cannot be run; install it (Debian: apt-get install gnuplot-nox)");
+  }
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder)) {
+    throw UsageError("the folder \"" + folder + "\" cannot be made; name another with --output");
+  }
 }
 
 void writeReport(const std::string &folder, const ServoGoal &goal, const ServoRecord &record)

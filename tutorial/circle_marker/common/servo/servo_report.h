@@ -52,6 +52,12 @@ void writePlot(const std::string &path, const std::vector<ServoStep> &steps, con
 
 /*! \return Whether gnuplot can be run. */
 bool hasGnuplot();
+
+/*!
+  Makes the folder of a report, before the work that it is about.
+  \exception UsageError : If that is not possible, or gnuplot is not installed.
+*/
+void prepareReport(const std::string &folder);
 } // namespace tutorial
 
 #endif

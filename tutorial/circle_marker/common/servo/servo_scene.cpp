@@ -21,6 +21,8 @@
 #include <visp3/core/vpThetaUVector.h>
 #include <visp3/core/vpTranslationVector.h>
 
+#include "../camera_file.h"
+
 namespace tutorial {
 namespace {
 constexpr int circleId = 5;
@@ -99,6 +101,18 @@ std::vector<vpColVector> sheetCorners(const MountedMarker &marker)
     }
   }
   return corners;
+}
+
+ServoCamera servoCamera(const std::string &file, const std::string &name)
+{
+  if (file.empty()) {
+    return ServoCamera{vpCameraParameters(1600., 1600., 639.5, 479.5), 1280, 960};
+  }
+  const NamedCamera camera = readCamera(file, name, 0, 0);
+  if (camera.width == 0 || camera.height == 0) {
+    throw CameraError("\"" + file + "\" does not say the size of the images; add image_width and image_height");
+  }
+  return ServoCamera{camera.parameters, camera.width, camera.height};
 }
 
 vpImage<unsigned char> renderScene(const ServoCamera &camera, const ServoObject &object, const vpHomogeneousMatrix &cMo,

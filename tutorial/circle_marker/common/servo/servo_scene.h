@@ -72,6 +72,12 @@ struct ServoCamera
   unsigned int height = 0; //!< Pixels.
 };
 
+/*!
+  \return The camera of a file of ViSP; without a file the reference camera of the project's figures, data/camera.xml.
+  \exception CameraError : If there is no such camera, or the file does not say how large its images are.
+*/
+ServoCamera servoCamera(const std::string &file, const std::string &name);
+
 /*! Which of the markers have something in front of them. */
 struct Covers
 {
