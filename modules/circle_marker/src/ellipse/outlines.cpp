@@ -106,7 +106,7 @@ const ReusedList<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I
     else {
       halve(I, memory.halved);
       computeGradient(memory.halved, half.gradient, deadline, noise);
-      linkEdgeChains(half.gradient, shortestChain, half.chains, deadline, &full.gradient);
+      linkEdgeChains(half.gradient, shortestChain, half.chains, deadline);
     }
   });
   findEllipses(I, full.gradient, full.chains, sought, OtherScale(), workers, deadline, full.ellipses);

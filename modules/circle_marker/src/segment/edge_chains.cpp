@@ -38,9 +38,6 @@ constexpr int closingDistance = 2;
 // Chains start in every second row: whatever bends enough to be a piece of an ellipse crosses some of them, and the
 // search for starts is half as long.
 constexpr int rowsApart = 2;
-// An edge of blur 0.8 pixel is 1.2 to 1.4 times as steep at half size (by where it lies among the pixels), one of
-// blur 1.5 pixels 1.7 times. One pixel of an outline where the ratio is larger is enough to start its chain.
-constexpr double squaredGainOfWide = 1.5 * 1.5;
 // Marks of EdgeChains::visited.
 constexpr std::uint8_t walked = 1;
 constexpr std::uint8_t beside = 2;
@@ -94,19 +91,6 @@ bool noneOfEight(const std::uint8_t *bytes)
   std::uint64_t word;
   std::memcpy(&word, bytes, sizeof(word));
   return word == 0;
-}
-
-// Whether an edge is much steeper in the half-size image than in the image itself, pixel for pixel: it is wider than
-// the three pixels that a gradient sees.
-bool isWide(const Gradient &half, const Gradient &full, int x, int y)
-{
-  int steepest = 0;
-  for (const int v : {2 * y, 2 * y + 1}) {
-    for (const int u : {2 * x, 2 * x + 1}) {
-      steepest = std::max(steepest, full.squaredMagnitude(u, v));
-    }
-  }
-  return half.squaredMagnitude(x, y) > squaredGainOfWide * steepest;
 }
 
 class Linker
@@ -226,8 +210,7 @@ private:
 };
 } // namespace
 
-void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &result, const Deadline &deadline,
-                    const Gradient *twice)
+void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &result, const Deadline &deadline)
 {
   const auto width = static_cast<std::size_t>(gradient.width);
   result.pixels.clear();
@@ -247,8 +230,7 @@ void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &
       for (std::size_t i = first; i < std::min(first + atOnce, width); ++i) {
         const int x = static_cast<int>(i);
         const std::size_t place = gradient.index(x, y);
-        if (result.visited[place] == 0 && gradient.vectors[place].squared() >= start && linker.isRidge(x, y) &&
-            (twice == nullptr || isWide(gradient, *twice, x, y))) {
+        if (result.visited[place] == 0 && gradient.vectors[place].squared() >= start && linker.isRidge(x, y)) {
           linker.linkThrough(x, y, shortest, deadline);
         }
       }

@@ -61,11 +61,9 @@ struct EdgeChains
   \param shortest : Chains of fewer pixels are dropped.
   \param result : The chains.
   \param deadline : When to stop; what is linked by then is kept.
-  \param twice : If not null, the gradient of the image that \e gradient is the half of: a chain then starts only where
-  the half sees more than it does, that is where an edge is too wide for it.
 */
 void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &result,
-                    const Deadline &deadline = Deadline(), const Gradient *twice = nullptr);
+                    const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
