@@ -22,6 +22,7 @@
 
 #include <visp3/core/vpException.h>
 
+#include "detect_covered.h"
 #include "pose/hypotheses.h"
 #include "refine/measure.h"
 #include "refine/report.h"
@@ -207,13 +208,8 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
     const vpCircleMarkerFamily &family = settings.families[examination.family++];
     ReadingTrace trace;
     Judged<Recognition> marker =
-        recognise(visit.I, visit.camera, *poses, outline, family, settings.decode, keepsDebug ? &trace : nullptr);
-    if (!marker) {
-      Judged<Recognition> covered = readCovered(visit, outline, *poses, family, bench);
-      if (covered) {
-        marker = std::move(covered);
-      }
-    }
+        recogniseWholeOrCovered(visit.I, visit.camera, outline, *poses, family, settings.decode, bench.measuring,
+                                keepsDebug ? &trace : nullptr);
     if (keepsDebug) {
       examination.candidates.push_back(candidateOf(outline, family, marker.reason()));
       addReading(trace, family, visit.camera, examination.candidates.back());
@@ -236,24 +232,6 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   examination.isOver = !examination.marker;
 }
 
-/*! A marker that something covers in part: its ring is measured before its code is read. */
-Judged<Recognition> vpDetectorCircleMarker::Impl::readCovered(const Visit &visit, const EllipseCandidate &outline,
-                                                              const PosePair &poses, const vpCircleMarkerFamily &family,
-                                                              Bench &bench) const
-{
-  const auto ring = recogniseCoveredRing(visit.I, visit.camera, poses, outline, family);
-  if (!ring) {
-    return vpCircleMarkerReject::NO_RING;
-  }
-  const auto measurement = measure(visit.I, visit.camera, *ring, true, bench.measuring);
-  if (!measurement) {
-    return vpCircleMarkerReject::UNLIKE_THE_MODEL;
-  }
-  const MarkerPlane &first = measurement->first.plane;
-  const PosePair measured = {first, measurement->second ? measurement->second->plane : first};
-  return recogniseCovered(visit.I, visit.camera, measured, family, settings.decode);
-}
-
 /*! A marker through the room refine. */
 std::optional<vpDetectorCircleMarker::Impl::Found>
 vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline,
@@ -266,55 +244,6 @@ vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCan
   const double visible = marker.seen ? marker.seen->share() : outline.support;
   return Found{reportOf(marker, *measurement, visit.camera, visible, settings.zAlignedWithCameraAxis), marker, outline,
                outlineOf(marker, measurement->first.plane, visit.camera, polygonPoints)};
-}
-
-/*!
-  Keeps what getPose() looks at of the image: its markers and what surrounds them. A copy of the whole takes as long as
-  a tenth of the search.
-*/
-void vpDetectorCircleMarker::Impl::keepSurroundings(const vpImage<unsigned char> &I)
-{
-  constexpr double shareOfRadius = 0.5; // the quiet zone has a sixth
-  constexpr double leastMargin = 32.;   // pixels: the widest blur the refinement knows, and interpolation
-  const int width = static_cast<int>(I.getWidth());
-  const int height = static_cast<int>(I.getHeight());
-  image.resize(I.getHeight(), I.getWidth()); // the assignment of images would allocate each time
-  for (const Found &marker : found) {
-    const EllipseParameters &outline = marker.outline.ellipse;
-    const PixelBox box = boxAround(outline, shareOfRadius * outline.a + leastMargin, width, height);
-    for (int y = box.top; y < box.bottom; ++y) {
-      const unsigned char *row = I[static_cast<unsigned int>(y)];
-      std::copy(row + box.left, row + box.right, image[static_cast<unsigned int>(y)] + box.left);
-    }
-  }
-}
-
-/*! The pose of a marker for another size or camera, from its outline and the image it was found in. */
-std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgain(std::size_t index, double size,
-                                                                                  const vpCameraParameters &cam)
-{
-  const CameraModel camera(cam);
-  const Found &known = at(index);
-  const auto poses = posesFromOutline(known.outline.points, camera, 0.5 * size);
-  if (!poses) {
-    return std::nullopt;
-  }
-  m_benches.resize(std::max<std::size_t>(m_benches.size(), 1));
-  const vpCircleMarkerFamily &family = known.marker.family;
-  auto marker = recognise(image, camera, *poses, known.outline, family, settings.decode);
-  if (!marker) {
-    const Deadline never;
-    marker = readCovered({image, size, camera, never}, known.outline, *poses, family, m_benches.front());
-  }
-  if (!marker || marker->code.id != known.marker.code.id) {
-    return std::nullopt;
-  }
-  const auto measurement = measure(image, camera, *marker, settings.refinePose, m_benches.front().measuring);
-  if (!measurement) {
-    return std::nullopt;
-  }
-  const double visible = marker->seen ? marker->seen->share() : known.outline.support;
-  return reportOf(*marker, *measurement, camera, visible, settings.zAlignedWithCameraAxis);
 }
 
 /*! The marker of an index; throws vpException::badValue if there is none. */
@@ -431,40 +360,6 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size
     displayTags(I, m_impl->displayColor, m_impl->displayThickness);
   }
   return m_nb_objects > 0;
-}
-
-/*!
-  Pose of a marker of the last image for a given size and camera.
-
-  \param index : Index of the marker, from 0 to getNbObjects() - 1.
-  \param size : Outer diameter of its ring, metres.
-  \param cam : Camera.
-  \param cMo : Its pose, the likelier solution.
-  \param cMo2 : If not null, the other solution; equal to the first if there is none.
-  \param projError : If not null, negative log-likelihood of cMo up to a constant common to both.
-  \param projError2 : If not null, the same for cMo2, HUGE_VAL if there is none.
-  \return Whether the pose could be computed with this camera.
-  \exception vpException::badValue : If there is no such marker, or the size is not positive.
-*/
-bool vpDetectorCircleMarker::getPose(size_t index, double size, const vpCameraParameters &cam, vpHomogeneousMatrix &cMo,
-                                     vpHomogeneousMatrix *cMo2, double *projError, double *projError2)
-{
-  circle_marker::checkMarkerSize(size);
-  const auto detection = m_impl->measureAgain(index, size, cam);
-  if (!detection) {
-    return false;
-  }
-  cMo = detection->cMo;
-  if (cMo2 != nullptr) {
-    *cMo2 = detection->hasSecondPose ? detection->cMo2 : detection->cMo;
-  }
-  if (projError != nullptr) {
-    *projError = detection->cost;
-  }
-  if (projError2 != nullptr) {
-    *projError2 = detection->cost2;
-  }
-  return true;
 }
 
 END_VISP_NAMESPACE

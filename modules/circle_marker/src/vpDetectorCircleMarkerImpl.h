@@ -108,10 +108,6 @@ private:
   void examineAll(const Visit &visit, const Outlines &outlines);
   void read(const Visit &visit, const circle_marker::EllipseCandidate &outline, Bench &bench,
             Examination &examination) const;
-  circle_marker::Judged<circle_marker::Recognition> readCovered(const Visit &visit,
-                                                                const circle_marker::EllipseCandidate &outline,
-                                                                const circle_marker::PosePair &poses,
-                                                                const vpCircleMarkerFamily &family, Bench &bench) const;
   std::optional<Found> measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
                                      const circle_marker::Recognition &marker, Bench &bench) const;
   void keepSeen(const Outlines &outlines);

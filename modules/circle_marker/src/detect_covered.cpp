@@ -1,0 +1,58 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * A marker of an outline, whole or with something in front of a part of it.
+ */
+
+#include "detect_covered.h"
+
+#include <utility>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                                   const EllipseCandidate &outline, const PosePair &poses,
+                                                   const vpCircleMarkerFamily &family, const DecodeSettings &settings,
+                                                   MeasureMemory &memory)
+{
+  const auto ring = recogniseCoveredRing(I, camera, poses, outline, family);
+  if (!ring) {
+    return std::nullopt;
+  }
+  const auto measurement = measure(I, camera, *ring, true, memory);
+  if (!measurement) {
+    return std::nullopt;
+  }
+  const MarkerPlane &first = measurement->first.plane;
+  const PosePair measured = {first, measurement->second ? measurement->second->plane : first};
+  Judged<Recognition> marker = recogniseCovered(I, camera, measured, family, settings);
+  return marker ? std::optional<Recognition>(std::move(*marker)) : std::nullopt;
+}
+} // namespace
+
+Judged<Recognition> recogniseWholeOrCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                            const EllipseCandidate &outline, const PosePair &poses,
+                                            const vpCircleMarkerFamily &family, const DecodeSettings &settings,
+                                            MeasureMemory &memory, ReadingTrace *trace)
+{
+  Judged<Recognition> whole = recognise(I, camera, poses, outline, family, settings, trace);
+  if (whole) {
+    return whole;
+  }
+  auto covered = recogniseByMeasuredRing(I, camera, outline, poses, family, settings, memory);
+  return covered ? Judged<Recognition>(std::move(*covered)) : std::move(whole);
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

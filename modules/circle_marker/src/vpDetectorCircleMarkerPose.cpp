@@ -1,0 +1,106 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Poses of the markers of the last image, for another size or camera.
+ */
+
+#include "vpDetectorCircleMarkerImpl.h"
+
+#include <algorithm>
+
+#include "detect_covered.h"
+#include "pose/hypotheses.h"
+
+BEGIN_VISP_NAMESPACE
+
+using namespace circle_marker;
+
+/*!
+  Keeps what getPose() looks at of the image: its markers and what surrounds them. A copy of the whole takes as long as
+  a tenth of the search.
+*/
+void vpDetectorCircleMarker::Impl::keepSurroundings(const vpImage<unsigned char> &I)
+{
+  constexpr double shareOfRadius = 0.5; // the quiet zone has a sixth
+  constexpr double leastMargin = 32.;   // pixels: the widest blur the refinement knows, and interpolation
+  const int width = static_cast<int>(I.getWidth());
+  const int height = static_cast<int>(I.getHeight());
+  image.resize(I.getHeight(), I.getWidth()); // the assignment of images would allocate each time
+  for (const Found &marker : found) {
+    const EllipseParameters &outline = marker.outline.ellipse;
+    const PixelBox box = boxAround(outline, shareOfRadius * outline.a + leastMargin, width, height);
+    for (int y = box.top; y < box.bottom; ++y) {
+      const unsigned char *row = I[static_cast<unsigned int>(y)];
+      std::copy(row + box.left, row + box.right, image[static_cast<unsigned int>(y)] + box.left);
+    }
+  }
+}
+
+/*! The pose of a marker for another size or camera, from its outline and the image it was found in. */
+std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgain(std::size_t index, double size,
+                                                                                  const vpCameraParameters &cam)
+{
+  const CameraModel camera(cam);
+  const Found &known = at(index);
+  const auto poses = posesFromOutline(known.outline.points, camera, 0.5 * size);
+  if (!poses) {
+    return std::nullopt;
+  }
+  m_benches.resize(std::max<std::size_t>(m_benches.size(), 1));
+  Bench &bench = m_benches.front();
+  const auto marker = recogniseWholeOrCovered(image, camera, known.outline, *poses, known.marker.family,
+                                              settings.decode, bench.measuring);
+  if (!marker || marker->code.id != known.marker.code.id) {
+    return std::nullopt;
+  }
+  const Deadline never;
+  const auto measured = measureMarker({image, size, camera, never}, known.outline, *marker, bench);
+  return measured ? std::optional<vpCircleMarkerDetection>(measured->detection) : std::nullopt;
+}
+
+/*!
+  Pose of a marker of the last image for a given size and camera.
+
+  \param index : Index of the marker, from 0 to getNbObjects() - 1.
+  \param size : Outer diameter of its ring, metres.
+  \param cam : Camera.
+  \param cMo : Its pose, the likelier solution.
+  \param cMo2 : If not null, the other solution; equal to the first if there is none.
+  \param projError : If not null, negative log-likelihood of cMo up to a constant common to both.
+  \param projError2 : If not null, the same for cMo2, HUGE_VAL if there is none.
+  \return Whether the pose could be computed with this camera.
+  \exception vpException::badValue : If there is no such marker, or the size is not positive.
+*/
+bool vpDetectorCircleMarker::getPose(size_t index, double size, const vpCameraParameters &cam, vpHomogeneousMatrix &cMo,
+                                     vpHomogeneousMatrix *cMo2, double *projError, double *projError2)
+{
+  circle_marker::checkMarkerSize(size);
+  const auto detection = m_impl->measureAgain(index, size, cam);
+  if (!detection) {
+    return false;
+  }
+  cMo = detection->cMo;
+  if (cMo2 != nullptr) {
+    *cMo2 = detection->hasSecondPose ? detection->cMo2 : detection->cMo;
+  }
+  if (projError != nullptr) {
+    *projError = detection->cost;
+  }
+  if (projError2 != nullptr) {
+    *projError2 = detection->cost2;
+  }
+  return true;
+}
+
+END_VISP_NAMESPACE
