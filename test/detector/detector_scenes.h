@@ -205,6 +205,17 @@ inline double differenceOf(const vpHomogeneousMatrix &a, const vpHomogeneousMatr
   return std::max((translationOf(a) - translationOf(b)).norm() / translationOf(b).z(),
                   (rotationOf(a) - rotationOf(b)).norm() / M_SQRT2);
 }
+
+//! Two markers, 5 and 9, of any spin.
+struct TwoMarkers
+{
+  Random random = randomOfTest();
+  vpHomogeneousMatrix poses[2] = {randomPose(random, 110., 0.5, 180., 220.), randomPose(random, 80., 0.7, 460., 250.)};
+  vpImage<unsigned char> I = imageOf(straightCamera(),
+                                     {printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(poses[0]),
+                                      printed(vpCircleMarkerFamily::GOLAY23, 9).setPose(poses[1])},
+                                     random);
+};
 } // namespace detector_test
 
 #endif

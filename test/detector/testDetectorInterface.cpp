@@ -12,61 +12,14 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * The interface of vpDetectorCircleMarker: messages, frames, sizes, settings, errors.
+ * The interface of vpDetectorCircleMarker: messages, frames, sizes, copies.
  */
 
 #include "detector_scenes.h"
 
-#include <cstdio>
-#include <fstream>
-
-#include <visp3/core/vpException.h>
 #include <visp3/core/vpMeterPixelConversion.h>
 
 using namespace detector_test;
-
-namespace {
-//! Two markers, 5 and 9, of any spin.
-struct TwoMarkers
-{
-  Random random = randomOfTest();
-  vpHomogeneousMatrix poses[2] = {randomPose(random, 110., 0.5, 180., 220.), randomPose(random, 80., 0.7, 460., 250.)};
-  vpImage<unsigned char> I = imageOf(straightCamera(),
-                                     {printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(poses[0]),
-                                      printed(vpCircleMarkerFamily::GOLAY23, 9).setPose(poses[1])},
-                                     random);
-};
-
-//! A file that is removed at the end.
-class TestFile
-{
-public:
-  TestFile()
-      : m_name(std::string("testDetectorInterface-") + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
-               ".json")
-  {
-  }
-  ~TestFile() { std::remove(m_name.c_str()); }
-  void write(const std::string &text) const { std::ofstream(m_name) << text; }
-  const std::string &name() const { return m_name; }
-
-private:
-  std::string m_name;
-};
-
-//! Code of the exception that a call throws; -1 without one.
-template <class Call> int codeOf(const Call &call)
-{
-  try {
-    call();
-  }
-  catch (const vpException &error) {
-    EXPECT_FALSE(std::string(error.what()).empty());
-    return error.getCode();
-  }
-  return -1;
-}
-} // namespace
 
 TEST(DetectorInterface, MessagesAndLists)
 {
@@ -286,62 +239,6 @@ TEST(DetectorInterface, ImagesWithoutMarkers)
   EXPECT_FALSE(detector.detect(vpImage<unsigned char>(16, 2000, 100)));
 }
 
-TEST(DetectorInterface, ImagesTooSmall)
-{
-  vpDetectorCircleMarker detector;
-  std::vector<vpHomogeneousMatrix> cMo;
-  for (const auto &[rows, columns] :
-       {std::pair(0u, 0u), std::pair(1u, 1u), std::pair(15u, 16u), std::pair(16u, 15u), std::pair(1000u, 3u)}) {
-    const vpImage<unsigned char> I(rows, columns);
-    EXPECT_EQ(codeOf([&] { detector.detect(I); }), vpException::dimensionError) << rows << " x " << columns;
-    EXPECT_EQ(codeOf([&] { detector.detect(I, size, straightCamera(), cMo); }), vpException::dimensionError);
-  }
-}
-
-TEST(DetectorInterface, SizesMustBePositive)
-{
-  TwoMarkers scene;
-  vpDetectorCircleMarker detector;
-  std::vector<vpHomogeneousMatrix> cMo;
-  vpHomogeneousMatrix pose;
-  ASSERT_TRUE(detector.detect(scene.I));
-  for (const double wrong : {0., -0.1, std::nan(""), HUGE_VAL}) {
-    EXPECT_EQ(codeOf([&] { detector.detect(scene.I, wrong, straightCamera(), cMo); }), vpException::badValue);
-    EXPECT_EQ(codeOf([&] { detector.getPose(0, wrong, straightCamera(), pose); }), vpException::badValue);
-    EXPECT_EQ(codeOf([&] { detector.setMarkerSizes({{1, 0.1}, {2, wrong}}); }), vpException::badValue);
-  }
-}
-
-TEST(DetectorInterface, IndicesOutOfRange)
-{
-  TwoMarkers scene;
-  vpDetectorCircleMarker detector;
-  vpHomogeneousMatrix pose;
-  for (const std::size_t index : {std::size_t(0), std::size_t(2), std::size_t(1000000), ~std::size_t(0)}) {
-    EXPECT_EQ(codeOf([&] { detector.getPose(index, size, straightCamera(), pose); }), vpException::badValue);
-    EXPECT_EQ(codeOf([&] { detector.getCenter(index); }), vpException::badValue);
-    EXPECT_EQ(codeOf([&] { detector.getCovariance(index); }), vpException::badValue);
-    EXPECT_EQ(codeOf([&] { detector.getLogOdds(index); }), vpException::badValue);
-    EXPECT_EQ(codeOf([&] { detector.getMargin(index); }), vpException::badValue);
-    EXPECT_EQ(codeOf([&] { detector.getHammingDistance(index); }), vpException::badValue);
-    if (index == 0) {
-      ASSERT_TRUE(detector.detect(scene.I)); // from now on 0 and 1 are there
-      EXPECT_EQ(codeOf([&] { detector.getMargin(1); }), -1);
-    }
-  }
-}
-
-TEST(DetectorInterface, SettingsOutOfRange)
-{
-  vpDetectorCircleMarker detector;
-  EXPECT_EQ(codeOf([&] { detector.setFamilies({}); }), vpException::badValue);
-  EXPECT_EQ(codeOf([&] { detector.setNbThreads(0); }), vpException::badValue);
-  for (const double wrong : {-0.01, 1.01, std::nan("")}) {
-    EXPECT_EQ(codeOf([&] { detector.setMinimumMargin(wrong); }), vpException::badValue);
-  }
-  EXPECT_EQ(detector.getFamilies().size(), 1u);
-}
-
 TEST(DetectorInterface, TwoFamiliesInOneImage)
 {
   Random random = randomOfTest();
@@ -444,55 +341,4 @@ TEST(DetectorInterface, CorrectionCanBeForbidden)
   detector.setMaximumHammingDistance(0);
   ASSERT_TRUE(detector.detect(scene.I));
   EXPECT_EQ(detector.getNbObjects(), 2u);
-}
-
-TEST(DetectorInterface, ConfigurationFiles)
-{
-  TestFile file;
-  vpDetectorCircleMarker detector(vpCircleMarkerFamily::BCH31);
-  detector.setFamilies({vpCircleMarkerFamily::BCH31, vpCircleMarkerFamily::GOLAY23});
-  detector.setMarkerSizes({{9, 0.09}});
-  detector.setZAlignedWithCameraAxis(true);
-  detector.saveConfigFile(file.name());
-  vpDetectorCircleMarker loaded;
-  loaded.loadConfigFile(file.name());
-  ASSERT_EQ(loaded.getFamilies().size(), 2u);
-  EXPECT_EQ(loaded.getFamilies()[0].getType(), vpCircleMarkerFamily::BCH31);
-  EXPECT_EQ(loaded.getFamilies()[1].getType(), vpCircleMarkerFamily::GOLAY23);
-  // The settings act: both detectors see the same.
-  TwoMarkers scene;
-  std::vector<vpHomogeneousMatrix> expected, found;
-  ASSERT_TRUE(detector.detect(scene.I, size, straightCamera(), expected));
-  ASSERT_TRUE(loaded.detect(scene.I, size, straightCamera(), found));
-  ASSERT_EQ(found.size(), 2u);
-  EXPECT_DOUBLE_EQ(loaded.getDetections()[1].size, 0.09);
-  for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(differenceOf(expected[i], found[i]), 0.);
-    EXPECT_GT(found[i][2][2], 0.);
-  }
-}
-
-TEST(DetectorInterface, WrongConfigurationChangesNothing)
-{
-  TestFile file;
-  for (const char *text :
-       {"{\"families\": [\"ring\"], \"colour\": 3}", "{\"families\": []}",
-        "{\"families\": [\"ring\"], \"sizes\": {\"3\": -0.1}}", "{\"families\": [\"ring\"], \"minimumMargin\": 2}",
-        "{\"families\": [\"ring\"], \"threads\": 0}", "{\"families\": [\"ring\"], \"threads\": -1}", "{"}) {
-    file.write(text);
-    vpDetectorCircleMarker detector;
-    EXPECT_EQ(codeOf([&] { detector.loadConfigFile(file.name()); }), vpException::badValue) << text;
-    ASSERT_EQ(detector.getFamilies().size(), 1u) << text;
-    EXPECT_EQ(detector.getFamilies()[0].getType(), vpCircleMarkerFamily::GOLAY23) << text;
-  }
-  file.write("{\"colour\": 3}");
-  try {
-    vpDetectorCircleMarker().loadConfigFile(file.name());
-    FAIL();
-  }
-  catch (const vpException &error) {
-    EXPECT_NE(std::string(error.what()).find("colour"), std::string::npos) << error.what();
-  }
-  EXPECT_EQ(codeOf([] { vpDetectorCircleMarker().loadConfigFile("no-such-file.json"); }), vpException::ioError);
-  EXPECT_EQ(codeOf([] { vpDetectorCircleMarker().saveConfigFile("no-such-folder/x.json"); }), vpException::ioError);
 }
