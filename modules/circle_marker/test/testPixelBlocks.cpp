@@ -102,6 +102,53 @@ TEST(PixelBlocks, WhatAPixelDoesNotSeeMakesNoDifference)
   }
 }
 
+// A block may hold pixels that are far apart, some of them far from the edges that others see.
+TEST(PixelBlocks, NeighboursInABlockMakeNoDifference)
+{
+  Random random = randomOfTest();
+  constexpr unsigned int wide = 400;
+  const vpImage<unsigned char> I(wide, wide, 128); // grey levels do not matter
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::BCH31);
+  for (const double diameter : {60., 140., 330.}) {
+    for (const double tilt : {0.6, 1.3}) {
+      Packed packed;
+      packed.scene = markerScene(random, family, 7, diameter, tilt, wide);
+      packed.pattern = patternOf(family, 7, family.getLayout().ringInner);
+      const MarkerPlane plane = packed.scene.plane();
+      selectPixels(I, CameraModel(packed.scene.camera()), &plane, 1, packed.pattern, 0.8, 1e6, packed.pixels);
+      packPixels(packed.pixels, plane, packed.pattern, Photometry(), 2., packed.blocks);
+      BlurParameters blur;
+      blur.sigma = 0.6;
+      const ImageModel model(plane, packed.pattern, blur, packed.blocks);
+      double worst = 0.;
+      for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+        for (std::size_t k = 0; k < packed.blocks.bySight[kind].size(); ++k) {
+          const PixelBlock &block = packed.blocks.bySight[kind][k];
+          DarknessLanes together;
+          model.evaluate(block, static_cast<PixelSight>(kind), together);
+          const auto lanes =
+              static_cast<Eigen::Index>(std::min<std::size_t>(packed.blocks.count[kind] - k * laneCount, laneCount));
+          for (Eigen::Index lane = 0; lane < lanes; ++lane) {
+            // The same block filled with one of its pixels.
+            PixelBlock alone = block;
+            for (Lanes *all : {&alone.place.x, &alone.place.y, &alone.place.xByU, &alone.place.xByV, &alone.place.yByU,
+                               &alone.place.yByV, &alone.acrossX, &alone.acrossY, &alone.base}) {
+              all->setConstant((*all)[lane]);
+            }
+            for (Lanes &change : alone.change) {
+              change.setConstant(change[lane]);
+            }
+            DarknessLanes single;
+            model.evaluate(alone, static_cast<PixelSight>(kind), single);
+            worst = std::max(worst, static_cast<double>(std::abs(single.value[0] - together.value[lane])));
+          }
+        }
+      }
+      EXPECT_LT(worst, 1e-3) << diameter; // what is passed over because no pixel of a block sees it leaves 4e-4
+    }
+  }
+}
+
 TEST(PixelBlocks, DoubtGrowsWithTheDifferenceOfTheSurround)
 {
   Random random = randomOfTest();

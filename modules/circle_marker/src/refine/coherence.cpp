@@ -60,10 +60,10 @@ Part partOf(const SumsOfDirection &sums, const Influence &influence, const Param
   std::size_t k = 0;
   for (int i = 0; i < parameters; ++i) {
     for (int j = 0; j <= i; ++j) {
-      information(i, j) = static_cast<double>(sums[k++].sum());
+      information(i, j) = sums[k++];
       information(j, i) = information(i, j);
     }
-    pull[i] = static_cast<double>(sums[static_cast<std::size_t>(products + i)].sum());
+    pull[i] = sums[static_cast<std::size_t>(products + i)];
   }
   return {influence * (pull - information * step), influence * information * influence.transpose(),
           information(0, 0) > 0.};

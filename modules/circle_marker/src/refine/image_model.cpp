@@ -99,7 +99,8 @@ void seeCircle(const PlaneLanes &p, const CurvatureLanes &curvature, float radiu
   const Lanes bend = (0.5f * sigma) * atEdge.min(mostCurvature * perSigma);
   const Lanes squared = bend * bend;
   edge.bend = blackSide * bend;
-  edge.standardised = blackSide * (scaled - bend) * (1.f - squared) + growth * perSigma;
+  // The density stays what it is from 6.5 on, and the corners' polynomials must not grow on.
+  edge.standardised = (blackSide * (scaled - bend) * (1.f - squared) + growth * perSigma).max(-6.5f).min(6.5f);
   edge.normal = normalOf(edge.standardised);
   edge.byRadius =
       (-blackSide * perSigma) * curvature.perGradient * (1.f - bow - squared).max(leastStretch).min(mostStretch);
@@ -234,7 +235,7 @@ void ImageModel::seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const Ed
     return;
   }
   // Where the border meets a rim, both on their black sides.
-  const Lanes a = change * standardised;
+  const Lanes a = change * standardised.max(-6.5f).min(6.5f);
   const Lanes aByAcross = perSigma * change * perGradient;
   const Lanes rho = (gu * p.gradientU + gv * p.gradientV) * perGradient * change / p.gradient;
   const auto meet = [&](const EdgeLanes &rim, const Lanes &correlation) {

@@ -44,37 +44,38 @@ constexpr double surroundPrior = 0.5;
 constexpr float guessedVariance = 25.f;
 // Blocks whose products are summed up at once, so that each sum is loaded and stored once for all of them.
 constexpr std::size_t blocksOfGroup = 4;
+// Groups whose sums are taken in single precision before they go to double: the depth is a difference of things that
+// are known a thousand times better, and of 100 blocks' sums in single precision nothing would be left of it.
+constexpr std::size_t groupsToFlush = 8;
 
-// Sums of one pass in lanes, direction by direction: few enough for single precision.
+// Sums of one pass, direction by direction, in lanes and then in double precision.
 class Sums
 {
 public:
-  explicit Sums(std::vector<SumsOfDirection> &sums) : m_sums(sums) { m_sums.clear(); }
+  explicit Sums(std::vector<SumsOfDirection> &sums) : m_sums(sums)
+  {
+    m_sums.clear();
+    clear();
+  }
 
   // The row of the next block, to be filled in before add().
   RowLanes &row() { return m_rows[m_pending]; }
 
   void add(const Lanes &residual, const LossLanes &loss, std::size_t direction)
   {
-    if (m_pending == 0) {
+    if (m_pending == 0 && direction != m_direction) {
+      flush();
       m_direction = direction;
     }
-    while (m_direction >= m_sums.size()) {
-      m_sums.emplace_back();
-      for (Lanes &lanes : m_sums.back()) {
-        lanes.setZero();
-      }
-    }
-    SumsOfDirection &sums = m_sums[m_direction];
     const RowLanes &row = m_rows[m_pending];
     RowLanes &weighted = m_weighted[m_pending];
     for (std::size_t i = 0; i < parameters; ++i) {
       weighted[i] = loss.weight * row[i];
-      sums[products + i] += weighted[i] * residual;
+      m_lanes[products + i] += weighted[i] * residual;
     }
-    sums[costAt] += loss.cost;
-    sums[squaresAt] += loss.tells * loss.weight * residual.square();
-    sums[keptAt] += loss.tells * loss.kept;
+    m_lanes[costAt] += loss.cost;
+    m_lanes[squaresAt] += loss.tells * loss.weight * residual.square();
+    m_lanes[keptAt] += loss.tells * loss.kept;
     if (++m_pending == blocksOfGroup) {
       closeGroup();
     }
@@ -91,10 +92,11 @@ public:
       }
       closeGroup();
     }
-    std::array<double, sumsOfDirection> total = {};
+    flush();
+    SumsOfDirection total = {};
     for (const SumsOfDirection &sums : m_sums) {
       for (std::size_t k = 0; k < sumsOfDirection; ++k) {
-        total[k] += static_cast<double>(sums[k].sum());
+        total[k] += sums[k];
       }
     }
     Equations result;
@@ -117,26 +119,53 @@ private:
   static constexpr std::size_t squaresAt = costAt + 1;
   static constexpr std::size_t keptAt = costAt + 2;
 
+  void clear()
+  {
+    for (Lanes &lanes : m_lanes) {
+      lanes.setZero();
+    }
+    m_groups = 0;
+  }
+
   void closeGroup()
   {
-    SumsOfDirection &sums = m_sums[m_direction];
     std::size_t k = 0;
     for (std::size_t i = 0; i < parameters; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
-        Lanes sum = sums[k];
+        Lanes sum = m_lanes[k];
         for (std::size_t block = 0; block < blocksOfGroup; ++block) {
           sum += m_weighted[block][i] * m_rows[block][j];
         }
-        sums[k++] = sum;
+        m_lanes[k++] = sum;
       }
     }
     m_pending = 0;
+    if (++m_groups == groupsToFlush) {
+      flush();
+    }
   }
 
+  void flush()
+  {
+    if (m_groups == 0) {
+      return;
+    }
+    if (m_direction >= m_sums.size()) {
+      m_sums.resize(m_direction + 1);
+    }
+    SumsOfDirection &sums = m_sums[m_direction];
+    for (std::size_t k = 0; k < sumsOfDirection; ++k) {
+      sums[k] += static_cast<double>(m_lanes[k].sum());
+    }
+    clear();
+  }
+
+  std::array<Lanes, sumsOfDirection> m_lanes;
   std::array<RowLanes, blocksOfGroup> m_rows;
   std::array<RowLanes, blocksOfGroup> m_weighted;
   std::size_t m_pending = 0;   // blocks of the present group
-  std::size_t m_direction = 0; // of its first
+  std::size_t m_groups = 0;    // since the last flush
+  std::size_t m_direction = 0; // of the first of them
   std::vector<SumsOfDirection> &m_sums;
 };
 

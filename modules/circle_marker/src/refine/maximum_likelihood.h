@@ -62,7 +62,7 @@ using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
 // the cost and what it takes to know the noise.
 constexpr int products = parameters * (parameters + 1) / 2;
 constexpr std::size_t sumsOfDirection = products + parameters + 3;
-using SumsOfDirection = std::array<Lanes, sumsOfDirection>;
+using SumsOfDirection = std::array<double, sumsOfDirection>;
 
 /*! Working memory of fits, used again from one to the next. */
 struct FitMemory

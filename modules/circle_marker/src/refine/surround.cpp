@@ -84,7 +84,8 @@ double shareBeyond(const PlanePoint &point, const PaperEnd &paper, double blur)
   const Eigen::Vector2d byV = paper.alongAxes(point.byPixel.col(1));
   double inside = 1.;
   for (int axis = 0; axis < 2; ++axis) {
-    const double distance = (paper.extent - std::abs(q[axis])) / std::sqrt(byU[axis] * byU[axis] + byV[axis] * byV[axis]);
+    const double distance =
+        (paper.extent - std::abs(q[axis])) / std::sqrt(byU[axis] * byU[axis] + byV[axis] * byV[axis]);
     inside *= normal.at(distance / blur).cumulative;
   }
   return 1. - inside;
