@@ -22,6 +22,10 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
+// Odds, ln, by which the ring alone tells its pose from the twin: at a twin what covers the code and the code itself
+// change places.
+constexpr double hopelessOdds = 10.;
+
 std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
                                                    const EllipseCandidate &outline, const PosePair &poses,
                                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings,
@@ -36,7 +40,8 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
     return std::nullopt;
   }
   const MarkerPlane &first = measurement->first.plane;
-  const PosePair measured = {first, measurement->second ? measurement->second->plane : first};
+  const bool hasTwin = measurement->second && measurement->cost2 - measurement->cost < hopelessOdds;
+  const PosePair measured = {first, hasTwin ? measurement->second->plane : first};
   Judged<Recognition> marker = recogniseCovered(I, camera, measured, family, settings);
   return marker ? std::optional<Recognition>(std::move(*marker)) : std::nullopt;
 }

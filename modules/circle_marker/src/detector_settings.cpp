@@ -22,6 +22,8 @@
 #include <visp3/core/vpException.h>
 
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
@@ -101,6 +103,18 @@ std::map<int, double> readSizes(const std::string &key, const Json &value)
   return sizes;
 }
 
+// Names of the polarities in their order.
+constexpr std::array<const char *, 3> polarities = {"black on white", "white on black", "both"};
+
+vpCircleMarkerPolarity readPolarity(const std::string &key, const Json &value)
+{
+  const auto name = std::find(polarities.begin(), polarities.end(), value.get<std::string>());
+  if (name == polarities.end()) {
+    refuse(key, "\"black on white\", \"white on black\" or \"both\"");
+  }
+  return static_cast<vpCircleMarkerPolarity>(name - polarities.begin());
+}
+
 void read(const Json &json, DetectorSettings &settings)
 {
   if (!json.is_object()) {
@@ -129,6 +143,9 @@ void read(const Json &json, DetectorSettings &settings)
     else if (key == "zAlignedWithCameraAxis") {
       settings.zAlignedWithCameraAxis = value.get<bool>();
     }
+    else if (key == "polarity") {
+      settings.polarity = readPolarity(key, value);
+    }
     else if (key == "threads") {
       settings.threads = readCount(key, value, 1);
     }
@@ -141,7 +158,7 @@ void read(const Json &json, DetectorSettings &settings)
     else {
       throw vpException(vpException::badValue,
                         "unknown setting \"%s\"; known are families, sizes, maximumHammingDistance, minimumMargin, "
-                        "refinePose, zAlignedWithCameraAxis, threads, tracking, fullSearchPeriod",
+                        "refinePose, zAlignedWithCameraAxis, polarity, threads, tracking, fullSearchPeriod",
                         key.c_str());
     }
   }
@@ -179,6 +196,7 @@ void writeSettings(const std::string &filename, const DetectorSettings &settings
   json["minimumMargin"] = settings.decode.minimumMargin;
   json["refinePose"] = settings.refinePose;
   json["zAlignedWithCameraAxis"] = settings.zAlignedWithCameraAxis;
+  json["polarity"] = polarities[static_cast<std::size_t>(settings.polarity)];
   json["threads"] = settings.threads;
   json["tracking"] = settings.tracking;
   json["fullSearchPeriod"] = settings.fullSearchPeriod;

@@ -80,8 +80,8 @@ void scaleTo(double size, PosePair &poses)
   The pipeline: an image goes through the rooms once, in this order. Whatever the number of threads, each outline is
   looked at on its own and what is chosen among them is chosen in their order: the results are the same.
 */
-void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
-                                          const Deadline &deadline)
+void vpDetectorCircleMarker::Impl::detectBlack(const vpImage<unsigned char> &I, double size,
+                                               const vpCameraParameters &cam, const Deadline &deadline)
 {
   m_workers.setCount(settings.threads);
   m_benches.resize(m_workers.getCount());

@@ -288,8 +288,8 @@ bool vpDetectorCircleMarker::isZAlignedWithCameraAxis() const
 
 /*!
   Reads settings from a JSON file; those it does not name stay as they are. Keys: families (list of names), sizes
-  (id to metres), maximumHammingDistance, minimumMargin, refinePose, zAlignedWithCameraAxis, threads,
-  tracking, fullSearchPeriod.
+  (id to metres), maximumHammingDistance, minimumMargin, refinePose, zAlignedWithCameraAxis, polarity
+  ("black on white", "white on black", "both"), threads, tracking, fullSearchPeriod.
 
   \param filename : Its path.
   \exception vpException::ioError : If it cannot be read.

@@ -101,6 +101,9 @@ private:
     const circle_marker::Deadline &deadline;
   };
 
+  void detectBlack(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
+                   const circle_marker::Deadline &deadline);
+  void addInverse(Impl &inverse);
   circle_marker::SoughtCenters soughtCenters() const;
   bool searchRegions(const Visit &visit);
   void searchWhole(const Visit &visit);
@@ -126,6 +129,8 @@ private:
   std::vector<Examination> m_examinations;       //!< One for each outline.
   std::vector<std::size_t> m_chosen;             //!< Outlines to be measured together.
   circle_marker::MarkerPlaces m_chosenPlaces;    //!< Where they are.
+  std::vector<Impl> m_inverse;                   //!< What looks at the negative, if markers white on black are sought.
+  vpImage<unsigned char> m_negative;             //!< The negative.
 };
 
 END_VISP_NAMESPACE

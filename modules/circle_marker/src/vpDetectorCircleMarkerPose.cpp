@@ -59,13 +59,14 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   }
   m_benches.resize(std::max<std::size_t>(m_benches.size(), 1));
   Bench &bench = m_benches.front();
-  const auto marker = recogniseWholeOrCovered(image, camera, known.outline, *poses, known.marker.family,
-                                              settings.decode, bench.measuring);
+  const vpImage<unsigned char> &kept = known.detection.isInverse ? m_inverse.front().image : image;
+  const auto marker = recogniseWholeOrCovered(kept, camera, known.outline, *poses, known.marker.family, settings.decode,
+                                              bench.measuring);
   if (!marker || marker->code.id != known.marker.code.id) {
     return std::nullopt;
   }
   const Deadline never;
-  const auto measured = measureMarker({image, size, camera, never}, known.outline, *marker, bench);
+  const auto measured = measureMarker({kept, size, camera, never}, known.outline, *marker, bench);
   return measured ? std::optional<vpCircleMarkerDetection>(measured->detection) : std::nullopt;
 }
 

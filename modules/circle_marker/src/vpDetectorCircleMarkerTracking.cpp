@@ -117,6 +117,9 @@ void vpDetectorCircleMarker::Impl::forgetTracks()
 {
   m_tracks.clear();
   m_sinceWhole = 0;
+  for (Impl &inverse : m_inverse) {
+    inverse.forgetTracks();
+  }
 }
 
 /*!

@@ -86,6 +86,7 @@ TEST(DetectorSettings, WrittenAndReadAgain)
   settings.decode.minimumMargin = 0.72;
   settings.refinePose = false;
   settings.zAlignedWithCameraAxis = true;
+  settings.polarity = vpCircleMarkerPolarity::WHITE_ON_BLACK;
   settings.threads = 3;
   TestFile file;
   writeSettings(file.name(), settings);
@@ -98,6 +99,7 @@ TEST(DetectorSettings, WrittenAndReadAgain)
   EXPECT_EQ(read.decode.minimumMargin, 0.72);
   EXPECT_FALSE(read.refinePose);
   EXPECT_TRUE(read.zAlignedWithCameraAxis);
+  EXPECT_EQ(read.polarity, vpCircleMarkerPolarity::WHITE_ON_BLACK);
   EXPECT_EQ(read.threads, 3u);
 }
 
@@ -167,6 +169,7 @@ TEST(DetectorSettings, WrongContentsAreRefused)
                            "{\"maximumHammingDistance\": \"2\"}",
                            "{\"minimumMargin\": \"high\"}",
                            "{\"refinePose\": 1}",
+                           "{\"polarity\": \"white\"}",
                            "{\"zAlignedWithCameraAxis\": \"yes\"}"}) {
     EXPECT_NE(complaintAbout(text), "") << text;
   }

@@ -219,7 +219,9 @@ void vpMarkerSceneSimulator::renderNoiseFree(vpImage<float> &I) const
     std::vector<Layer> layers;
     for (const vpSimulatedMarker &marker : m_markers) {
       const vpHomogeneousMatrix cMo = steps == 1 ? marker.getPose() : poseAt(marker.getPose(), m_motion.twist, instant);
-      layers.push_back(layerOf(marker, cMo, lens, m_photometry.paper, m_photometry.ink));
+      const double sheet = marker.isInverse() ? m_photometry.ink : m_photometry.paper;
+      const double print = marker.isInverse() ? m_photometry.paper : m_photometry.ink;
+      layers.push_back(layerOf(marker, cMo, lens, sheet, print));
     }
     for (const vpSceneOccluder &occluder : m_occluders) {
       layers.push_back(layerOf(occluder));

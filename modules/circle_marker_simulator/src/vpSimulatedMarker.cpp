@@ -255,6 +255,18 @@ vpSimulatedMarker &vpSimulatedMarker::setInkSpread(double spread)
 }
 
 /*!
+  Makes the marker white on black: what is paper is as dark as ink, the sheet too, and what is ink is as bright as paper.
+
+  \param inverse : Whether it is.
+  \return This marker.
+*/
+vpSimulatedMarker &vpSimulatedMarker::setInverse(bool inverse)
+{
+  m_isInverse = inverse;
+  return *this;
+}
+
+/*!
   Bends the sheet about an axis in its plane through the marker's centre, as paper bends: into a part of a cylinder,
   without stretching.
 

@@ -72,6 +72,7 @@ struct vpCircleMarkerDetection
   double cost2 = HUGE_VAL;              //!< The same for cMo2; HUGE_VAL without a second solution.
   double logOdds = HUGE_VAL;            //!< ln(likelihood of cMo / likelihood of cMo2).
   vpMatrix covariance = vpMatrix(6, 6); //!< 6 x 6 covariance of cMo, metres and radians.
+  bool isInverse = false;               //!< Whether it is white on black: see vpDetectorCircleMarker::setPolarity().
   double visible = 0.;                  //!< Share of the ring's outer edge that was seen, in [0, 1].
 };
 

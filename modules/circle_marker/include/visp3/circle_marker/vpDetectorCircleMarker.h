@@ -32,6 +32,7 @@
 #include <visp3/circle_marker/vpCircleMarkerDebug.h>
 #include <visp3/circle_marker/vpCircleMarkerDetection.h>
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
+#include <visp3/circle_marker/vpCircleMarkerPolarity.h>
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpColor.h>
@@ -117,6 +118,8 @@ public:
   void setMaximumHammingDistance(unsigned int distance);
   void setMinimumMargin(double margin);
   void setNbThreads(unsigned int threads);
+  void setPolarity(vpCircleMarkerPolarity polarity);
+  vpCircleMarkerPolarity getPolarity() const;
   void setTracking(bool tracking, unsigned int fullSearchPeriod = 10);
   void setRefinePose(bool refine);
   void setZAlignedWithCameraAxis(bool aligned);

@@ -67,6 +67,7 @@ public:
   vpSimulatedMarker &setLayout(double ringRatio, double trackInner, double trackOuter);
   vpSimulatedMarker &setTrack(double inner, double outer, unsigned int sectors, std::uint32_t word,
                               bool isWindows = false);
+  vpSimulatedMarker &setInverse(bool inverse);
   vpSimulatedMarker &setBow(double bow, double axis = 0.);
 
   /*! Pose of the marker in the camera frame, lengths in metres. */
@@ -97,6 +98,8 @@ public:
   double getSheetHeight() const { return m_sheetHeight; }
   /*! Distance by which every black edge has moved outward, in metres. */
   double getInkSpread() const { return m_inkSpread; }
+  /*! Whether ink and paper have changed places. */
+  bool isInverse() const { return m_isInverse; }
   /*! Height of the arc into which the sheet is bent, in metres: see setBow(). */
   double getBow() const { return m_bow; }
   /*! Direction of the axis about which the sheet is bent, in radians from +x toward +y of the marker frame. */
@@ -122,6 +125,7 @@ private:
   double m_trackOuter = 0.68;                 //!< Outer radius of the code track over the outer radius of the ring.
   std::vector<std::array<double, 2>> m_rings; //!< Further rings, over half the size.
   bool m_hasWindows = false;                  //!< Whether ones of the code are white.
+  bool m_isInverse = false;                   //!< Whether it is white on black.
   double m_inkSpread = 0.;                    //!< Outward displacement of black edges, in metres.
   double m_bow = 0.;                          //!< Height of the sheet's arc, in metres.
   double m_bowAxis = 0.;                      //!< Axis of the bend, in radians.
