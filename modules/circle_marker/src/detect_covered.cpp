@@ -25,6 +25,7 @@ namespace {
 // Odds, ln, by which the ring alone tells its pose from the twin: at a twin what covers the code and the code itself
 // change places.
 constexpr double hopelessOdds = 10.;
+} // namespace
 
 std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
                                                    const EllipseCandidate &outline, const PosePair &poses,
@@ -45,19 +46,21 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
   Judged<Recognition> marker = recogniseCovered(I, camera, measured, family, settings);
   return marker ? std::optional<Recognition>(std::move(*marker)) : std::nullopt;
 }
-} // namespace
 
-Judged<Recognition> recogniseWholeOrCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                            const EllipseCandidate &outline, const PosePair &poses,
-                                            const vpCircleMarkerFamily &family, const DecodeSettings &settings,
-                                            MeasureMemory &memory, ReadingTrace *trace)
+std::vector<Attempt> attemptsOf(const std::vector<vpCircleMarkerFamily> &families)
 {
-  Judged<Recognition> whole = recognise(I, camera, poses, outline, family, settings, trace);
-  if (whole) {
-    return whole;
+  std::vector<Attempt> attempts;
+  std::size_t k = 0;
+  while (k < families.size()) {
+    const std::size_t first = k;
+    do {
+      attempts.push_back({k++, false});
+    } while (k < families.size() && families[first].isCoded() && families[k].isCoded());
+    for (std::size_t coded = first; coded < k && families[coded].isCoded(); ++coded) {
+      attempts.push_back({coded, true});
+    }
   }
-  auto covered = recogniseByMeasuredRing(I, camera, outline, poses, family, settings, memory);
-  return covered ? Judged<Recognition>(std::move(*covered)) : std::move(whole);
+  return attempts;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -18,23 +18,40 @@
 #ifndef VP_CIRCLE_MARKER_DETECT_COVERED_H
 #define VP_CIRCLE_MARKER_DETECT_COVERED_H
 
+#include <cstddef>
+#include <optional>
+#include <vector>
+
 #include "decode/recognise.h"
 #include "refine/measure.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  Recognises a marker; if nothing is recognised, as one that something covers in part: with a part of its outline
-  missing the poses are not good enough for its code, so its ring is measured before. \param I : The image. \param
-  camera : Its camera. \param outline : The outline, as found. \param poses : Both poses of the outline. \param family :
-  What to recognise it as. \param settings : How strictly a code is read. \param memory : Working memory of the
-  measurement. \param trace : If not null, what was seen of the marker as a whole one. \return The marker, or why it is
-  none: the reason that was found for it as a whole one.
+  Recognises a marker that something covers in part: with a part of its outline missing the poses are not good enough
+  for its code, so its ring is measured before. \param I : The image. \param camera : Its camera. \param outline : The
+  outline, as found. \param poses : Both poses of the outline. \param family : What to recognise it as. \param settings
+  : How strictly a code is read. \param memory : Working memory of the measurement. \return The marker; nothing if it is
+  none.
 */
-Judged<Recognition> recogniseWholeOrCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                            const EllipseCandidate &outline, const PosePair &poses,
-                                            const vpCircleMarkerFamily &family, const DecodeSettings &settings,
-                                            MeasureMemory &memory, ReadingTrace *trace = nullptr);
+std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                                   const EllipseCandidate &outline, const PosePair &poses,
+                                                   const vpCircleMarkerFamily &family, const DecodeSettings &settings,
+                                                   MeasureMemory &memory);
+
+/*! One of the ways to read an outline. */
+struct Attempt
+{
+  std::size_t family; //!< Index of the family.
+  bool isCovered;     //!< Whether something may cover the marker.
+};
+
+/*!
+  The ways to read an outline, in the order in which they are tried: family by family; where several with a code follow
+  each other, as whole markers of all of them before as covered ones. What is seen of a covered marker is little enough
+  to be taken for that of another family.
+*/
+std::vector<Attempt> attemptsOf(const std::vector<vpCircleMarkerFamily> &families);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

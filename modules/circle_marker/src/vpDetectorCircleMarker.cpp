@@ -145,6 +145,7 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
     }
   };
   m_examinations.assign(outlines.size(), Examination());
+  m_attempts = attemptsOf(settings.families);
   bool isOver = false;
   while (!isOver) {
     if (m_workers.getCount() > 1) {
@@ -178,7 +179,7 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
     bool someAreNone = false;
     for (const std::size_t i : m_chosen) {
       Examination &examination = m_examinations[i];
-      examination.isOver = examination.found || examination.family == settings.families.size();
+      examination.isOver = examination.found || examination.attempt == m_attempts.size();
       if (!examination.candidates.empty() && !examination.found) {
         examination.candidates.back().reason =
             isOver ? vpCircleMarkerReject::TIMEOUT : vpCircleMarkerReject::UNLIKE_THE_MODEL;
@@ -204,18 +205,22 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   if (!poses && keepsDebug) {
     examination.candidates.push_back(candidateOf(outline, settings.families.front(), vpCircleMarkerReject::NO_POSE));
   }
-  while (poses && !examination.marker && examination.family < settings.families.size()) {
-    const vpCircleMarkerFamily &family = settings.families[examination.family++];
-    ReadingTrace trace;
-    Judged<Recognition> marker =
-        recogniseWholeOrCovered(visit.I, visit.camera, outline, *poses, family, settings.decode, bench.measuring,
-                                keepsDebug ? &trace : nullptr);
-    if (keepsDebug) {
-      examination.candidates.push_back(candidateOf(outline, family, marker.reason()));
-      addReading(trace, family, visit.camera, examination.candidates.back());
+  while (poses && !examination.marker && examination.attempt < m_attempts.size()) {
+    const Attempt &attempt = m_attempts[examination.attempt++];
+    const vpCircleMarkerFamily &family = settings.families[attempt.family];
+    if (attempt.isCovered) {
+      examination.marker =
+          recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, family, settings.decode, bench.measuring);
+      if (examination.marker && keepsDebug) {
+        std::vector<vpCircleMarkerCandidate> &candidates = examination.candidates; // it is none as a whole marker only
+        candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                        [&](const auto &other) { return other.family == family.getName(); }),
+                         candidates.end());
+        candidates.push_back(candidateOf(outline, family, vpCircleMarkerReject::NONE));
+      }
     }
-    if (marker) {
-      examination.marker = std::move(*marker);
+    else {
+      readWhole(visit, outline, *poses, family, examination);
     }
   }
   if (examination.marker) {
@@ -230,6 +235,22 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   }
   examination.isRead = true;
   examination.isOver = !examination.marker;
+}
+
+/*! An outline as a marker of a family of which nothing is covered. */
+void vpDetectorCircleMarker::Impl::readWhole(const Visit &visit, const EllipseCandidate &outline, const PosePair &poses,
+                                             const vpCircleMarkerFamily &family, Examination &examination) const
+{
+  ReadingTrace trace;
+  Judged<Recognition> marker =
+      recognise(visit.I, visit.camera, poses, outline, family, settings.decode, keepsDebug ? &trace : nullptr);
+  if (keepsDebug) {
+    examination.candidates.push_back(candidateOf(outline, family, marker.reason()));
+    addReading(trace, family, visit.camera, examination.candidates.back());
+  }
+  if (marker) {
+    examination.marker = std::move(*marker);
+  }
 }
 
 /*! A marker through the room refine. */

@@ -28,6 +28,7 @@
 #include "decode/recognise.h"
 #include "ellipse/outlines.h"
 #include "refine/measure.h"
+#include "detect_covered.h"
 #include "detector_settings.h"
 #include "support/workers.h"
 #include "track/marker_tracks.h"
@@ -76,7 +77,7 @@ private:
   /*! How far an outline has come. */
   struct Examination
   {
-    std::size_t family = 0;                           //!< Index of the family to look for next.
+    std::size_t attempt = 0;                          //!< Index of the way to read it that is next.
     bool isRead = false;                              //!< Whether that was done.
     bool isOver = false;                              //!< Whether it is found, or is none.
     std::optional<circle_marker::Recognition> marker; //!< What it was read as.
@@ -111,26 +112,30 @@ private:
   void examineAll(const Visit &visit, const Outlines &outlines);
   void read(const Visit &visit, const circle_marker::EllipseCandidate &outline, Bench &bench,
             Examination &examination) const;
+  void readWhole(const Visit &visit, const circle_marker::EllipseCandidate &outline,
+                 const circle_marker::PosePair &poses, const vpCircleMarkerFamily &family,
+                 Examination &examination) const;
   std::optional<Found> measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
                                      const circle_marker::Recognition &marker, Bench &bench) const;
   void keepSeen(const Outlines &outlines);
   void keepCandidates(const Outlines &outlines);
   void keepSurroundings(const vpImage<unsigned char> &I);
 
-  circle_marker::OutlineMemory m_outlines;       //!< Memory of the rooms up to the outlines.
-  circle_marker::OutlineMemory m_regions;        //!< The same for regions of images.
-  vpImage<unsigned char> m_region;               //!< A region of the image.
-  Outlines m_regionOutlines;                     //!< Outlines of all regions.
-  circle_marker::MarkerTracks m_tracks;          //!< Markers of the last images.
-  unsigned int m_sinceWhole = 0;                 //!< Images since a whole one was searched.
-  std::vector<circle_marker::SeenMarker> m_seen; //!< Markers of the last image.
-  circle_marker::Workers m_workers;              //!< Threads.
-  std::vector<Bench> m_benches;                  //!< One for each thread.
-  std::vector<Examination> m_examinations;       //!< One for each outline.
-  std::vector<std::size_t> m_chosen;             //!< Outlines to be measured together.
-  circle_marker::MarkerPlaces m_chosenPlaces;    //!< Where they are.
-  std::vector<Impl> m_inverse;                   //!< What looks at the negative, if markers white on black are sought.
-  vpImage<unsigned char> m_negative;             //!< The negative.
+  circle_marker::OutlineMemory m_outlines;        //!< Memory of the rooms up to the outlines.
+  circle_marker::OutlineMemory m_regions;         //!< The same for regions of images.
+  vpImage<unsigned char> m_region;                //!< A region of the image.
+  Outlines m_regionOutlines;                      //!< Outlines of all regions.
+  circle_marker::MarkerTracks m_tracks;           //!< Markers of the last images.
+  unsigned int m_sinceWhole = 0;                  //!< Images since a whole one was searched.
+  std::vector<circle_marker::SeenMarker> m_seen;  //!< Markers of the last image.
+  circle_marker::Workers m_workers;               //!< Threads.
+  std::vector<Bench> m_benches;                   //!< One for each thread.
+  std::vector<Examination> m_examinations;        //!< One for each outline.
+  std::vector<circle_marker::Attempt> m_attempts; //!< The ways to read an outline.
+  std::vector<std::size_t> m_chosen;              //!< Outlines to be measured together.
+  circle_marker::MarkerPlaces m_chosenPlaces;     //!< Where they are.
+  std::vector<Impl> m_inverse;                    //!< What looks at the negative, if markers white on black are sought.
+  vpImage<unsigned char> m_negative;              //!< The negative.
 };
 
 END_VISP_NAMESPACE

@@ -60,8 +60,14 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   m_benches.resize(std::max<std::size_t>(m_benches.size(), 1));
   Bench &bench = m_benches.front();
   const vpImage<unsigned char> &kept = known.detection.isInverse ? m_inverse.front().image : image;
-  const auto marker = recogniseWholeOrCovered(kept, camera, known.outline, *poses, known.marker.family, settings.decode,
-                                              bench.measuring);
+  std::optional<Recognition> marker;
+  const vpCircleMarkerFamily &family = known.marker.family;
+  if (auto whole = recognise(kept, camera, *poses, known.outline, family, settings.decode)) {
+    marker = std::move(*whole);
+  }
+  else {
+    marker = recogniseByMeasuredRing(kept, camera, known.outline, *poses, family, settings.decode, bench.measuring);
+  }
   if (!marker || marker->code.id != known.marker.code.id) {
     return std::nullopt;
   }
