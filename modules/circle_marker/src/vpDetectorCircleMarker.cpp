@@ -35,6 +35,9 @@ using namespace circle_marker;
 namespace {
 // Size of a marker whose size was not told: poses are then in units of its diameter.
 constexpr double unitSize = 1.;
+// Plain rings are promised from a minor axis of 8 pixels on; the smaller the more there is that looks like one. When it
+// is refined, its semi-axis is known to some hundredths of a pixel.
+constexpr double leastRingSemiMinor = 3.8;
 
 void checkImageSize(const vpImage<unsigned char> &I)
 {
@@ -109,6 +112,11 @@ SoughtCenters vpDetectorCircleMarker::Impl::soughtCenters() const
   SoughtCenters sought;
   sought.dark = std::any_of(settings.families.begin(), settings.families.end(), isDisc);
   sought.bright = !std::all_of(settings.families.begin(), settings.families.end(), isDisc);
+  for (const vpCircleMarkerFamily &family : settings.families) {
+    if (family.getType() == vpCircleMarkerFamily::RING) {
+      sought.thinRing = std::max(sought.thinRing, family.getLayout().ringInner);
+    }
+  }
   return sought;
 }
 
@@ -263,7 +271,13 @@ vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCan
     return std::nullopt;
   }
   const double visible = marker.seen ? marker.seen->share() : outline.support;
-  return Found{reportOf(marker, *measurement, visit.camera, visible, settings.zAlignedWithCameraAxis), marker, outline,
+  vpCircleMarkerDetection detection =
+      reportOf(marker, *measurement, visit.camera, visible, settings.zAlignedWithCameraAxis);
+  if (settings.refinePose && marker.family.getType() == vpCircleMarkerFamily::RING &&
+      detection.ellipse.b < leastRingSemiMinor) {
+    return std::nullopt;
+  }
+  return Found{std::move(detection), marker, outline,
                outlineOf(marker, measurement->first.plane, visit.camera, polygonPoints)};
 }
 

@@ -34,6 +34,9 @@ constexpr std::size_t fewestPoints = 8;
 constexpr std::uint8_t brightInside = 2;
 // A dark blob of fewer pixels around hides no piece of a ring: covered markers have a semi-minor axis of 6 pixels.
 constexpr std::size_t longestBlob = 38;
+// Longer closed edges are not the inside of a ring that is too thin to have an outer edge: one of 14 pixels at 75
+// degrees has 60 around its inside.
+constexpr std::size_t longestThinRing = 64;
 // No outline inside of the image is longer than the image's own: longer closed chains are something else.
 constexpr std::size_t longestOutline = 2;
 
@@ -248,12 +251,16 @@ struct Search
     if (deadline.hasPassed()) {
       return refuse(bench, index, EllipseReject::TIMEOUT);
     }
-    if (mostTurn(gradient, chains, chains.chains[index]) < leastArcTurn) {
+    const EdgeChain &chain = chains.chains[index];
+    if (sought.thinRing > 0. && memory.left[index] == brightInside && chain.length() <= longestThinRing) {
+      return thinRing(index, bench);
+    }
+    if (mostTurn(gradient, chains, chain) < leastArcTurn) {
       return refuse(bench, index,
                     memory.left[index] == brightInside ? EllipseReject::BRIGHT_INSIDE : EllipseReject::LITTLE_BEND);
     }
     bench.points.clear();
-    locateChain(gradient, chains, chains.chains[index], bench.points, deadline);
+    locateChain(gradient, chains, chain, bench.points, deadline);
     cutConvexArcs(bench.points, bench.arcs, deadline);
     if (bench.arcs.empty()) {
       refuse(bench, index, bench.points.data(), bench.points.size(), EllipseReject::LITTLE_BEND);
@@ -269,6 +276,29 @@ struct Search
       else {
         propose(bench, index, points, end - begin, false);
       }
+    }
+  }
+
+  // The closed edge of something bright may be the inside of a ring whose outer edge does not show.
+  void thinRing(std::size_t index, EllipseMemory::Bench &bench) const
+  {
+    bench.points.clear();
+    locateChain(gradient, chains, chains.chains[index], bench.points);
+    if (bench.points.size() < fewestPoints) {
+      return refuse(bench, index, EllipseReject::TOO_SHORT);
+    }
+    EllipseMemory::Proposal &proposal = bench.proposals.append();
+    proposal.chain = index;
+    proposal.candidate.ellipse = EllipseParameters();
+    EllipseReject reason = bench.fitter.fitThinRing(I, gradient, bench.points.data(), bench.points.size(),
+                                                    sought.thinRing, proposal.candidate);
+    // By its outer edge it is known better.
+    if (reason == EllipseReject::NONE && memory.known.hasSame(proposal.candidate.ellipse)) {
+      reason = EllipseReject::KNOWN_OUTLINE;
+    }
+    if (reason != EllipseReject::NONE) {
+      refuse(bench, index, bench.points.data(), bench.points.size(), reason, proposal.candidate.ellipse);
+      bench.proposals.removeLast();
     }
   }
 

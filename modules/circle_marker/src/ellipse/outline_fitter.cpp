@@ -61,6 +61,17 @@ constexpr double leastShareForCenter = 0.5;
 constexpr double trimmedShare = 0.75;
 constexpr int trimmingPasses = 10;
 
+// Beyond its dark line a thin ring's quiet zone is brighter by this, grey levels and noise of a pixel: one standard
+// deviation of the difference of two interpolated samples. On grey ground a ring of 8 pixels shows 10 grey levels.
+constexpr double leastRise = 1.;
+constexpr double riseOfNoise = 0.7;
+// Share of a thin ring's inner edge beyond which a dark line must be seen.
+constexpr double leastDarkLine = 0.75;
+// Semi-minor axes of the outlines that are sought by their dark line, pixels: of smaller rings too little is left, of
+// larger ones the outer edge shows.
+constexpr double leastThinRing = 3.7;
+constexpr double mostThinRing = 7.;
+
 double rootMeanSquareDistance(const EllipseCandidate &candidate, const EdgePoint *points, std::size_t count)
 {
   double sum = 0.;
@@ -120,6 +131,33 @@ void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double
     }
   }
   candidate.support = static_cast<double>(candidate.points.size()) / samples;
+}
+
+// The first dark line along a direction from an edge to its dark side, by a parabola through three samples; beyond it
+// the image is brighter by \e rise again, grey levels.
+std::optional<Eigen::Vector2d> firstDarkLine(const vpImage<unsigned char> &I, const Eigen::Vector2d &from,
+                                             const Eigen::Vector2d &direction, double rise)
+{
+  constexpr double step = 0.5; // pixel
+  constexpr int steps = 8;     // to 4 pixels: the line of the largest ring that is sought this way is 1.4 wide
+  std::array<double, steps + 1> greys;
+  std::size_t darkest = 0;
+  for (std::size_t i = 0; i < greys.size(); ++i) {
+    const auto grey = bilinear(I, from + static_cast<double>(i) * step * direction);
+    if (!grey) {
+      return std::nullopt;
+    }
+    greys[i] = *grey;
+    if (*grey < greys[darkest]) {
+      darkest = i;
+    }
+    else if (*grey > greys[darkest] + rise && darkest > 0) {
+      const double curvature = greys[darkest - 1] - 2. * greys[darkest] + greys[darkest + 1];
+      const double offset = curvature > 0. ? 0.5 * (greys[darkest - 1] - greys[darkest + 1]) / curvature : 0.;
+      return from + (static_cast<double>(darkest) + offset) * step * direction;
+    }
+  }
+  return std::nullopt;
 }
 
 // Step between the brightest pixel outside and the darkest inside of an outline, median over it, grey levels.
@@ -250,6 +288,48 @@ EllipseReject OutlineFitter::fit(const vpImage<unsigned char> &I, const Gradient
     return EllipseReject::BAD_FIT;
   }
   return complete(I, gradient, sought, candidate);
+}
+
+EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const Gradient &gradient,
+                                         const EdgePoint *points, std::size_t count, double ringInner,
+                                         EllipseCandidate &candidate)
+{
+  candidate.points.clear();
+  candidate.points.reserve(mostSamples);
+  const std::size_t stride = 1 + count / mostSamples;
+  const double rise = std::max(leastRise, riseOfNoise * gradient.noise);
+  std::size_t asked = 0;
+  for (std::size_t i = 0; i < count; i += stride) {
+    ++asked;
+    const Eigen::Vector2d outward = -points[i].normal;
+    if (const auto position = firstDarkLine(I, points[i].position, outward, rise)) {
+      candidate.points.push_back({*position, outward});
+    }
+  }
+  candidate.support = static_cast<double>(candidate.points.size()) / static_cast<double>(asked);
+  if (candidate.support < leastDarkLine) {
+    return EllipseReject::BRIGHT_INSIDE;
+  }
+  if (!fitPoints(candidate.points.data(), candidate.points.size(), candidate, directFit)) {
+    return EllipseReject::NOT_AN_ELLIPSE;
+  }
+  if (rootMeanSquareDistance(candidate, candidate.points.data(), candidate.points.size()) >
+      fitToleranceOf(candidate.ellipse)) {
+    return EllipseReject::BAD_FIT;
+  }
+  const double scale = 2. / (1. + ringInner); // from the middle of the ring to its outside
+  EllipseParameters &ellipse = candidate.ellipse;
+  ellipse.a *= scale;
+  ellipse.b *= scale;
+  if (ellipse.b < leastThinRing || ellipse.b > mostThinRing) {
+    return EllipseReject::BRIGHT_INSIDE;
+  }
+  candidate.conic = conicFromEllipse(ellipse);
+  for (EdgePoint &point : candidate.points) {
+    point.position = ellipse.center + scale * (point.position - ellipse.center);
+  }
+  candidate.contrast = medianContrast(I, candidate);
+  return candidate.contrast < rise ? EllipseReject::NOT_DARK_INSIDE : EllipseReject::NONE;
 }
 
 // An ellipse through points; leaves candidate.conic and candidate.ellipse, or tells that there is none.

@@ -35,8 +35,9 @@ using EllipseReject = vpCircleMarkerReject;
 /*! What the markers that are sought have inside. */
 struct SoughtCenters
 {
-  bool bright = true; //!< Markers with a white centre: rings, with a code or without.
-  bool dark = true;   //!< Markers with a black centre: discs.
+  bool bright = true;   //!< Markers with a white centre: rings, with a code or without.
+  bool dark = true;     //!< Markers with a black centre: discs.
+  double thinRing = 0.; //!< Inner radius of the thinnest ring without a code, of the outer one; 0: none is sought.
 };
 
 /*! An ellipse with a dark band on its inside and the edge points found along it. */
@@ -67,6 +68,19 @@ public:
   */
   EllipseReject fit(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
                     std::size_t count, bool isWhole, const SoughtCenters &sought, EllipseCandidate &candidate);
+
+  /*!
+    The outline of a ring so small that its black line and the quiet zone around it are thinner than the blur: its outer
+    edge is then no edge any more, and its inner one lies too far in. What stays in its place is the darkest line
+    between them, halfway between the two radii.
+    \param I : The image.
+    \param gradient : Its gradient.
+    \param points, count : The closed edge of the bright inside.
+    \param ringInner : Inner radius of the ring, of the outer one.
+    \param candidate : The outline, if the result is EllipseReject::NONE; undefined otherwise.
+  */
+  EllipseReject fitThinRing(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
+                            std::size_t count, double ringInner, EllipseCandidate &candidate);
 
 private:
   bool fitPoints(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate,
