@@ -222,7 +222,7 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
       if (examination.marker && keepsDebug) {
         std::vector<vpCircleMarkerCandidate> &candidates = examination.candidates; // it is none as a whole marker only
         candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                                        [&](const auto &other) { return other.family == family.getName(); }),
+                                        [&](const auto &other) { return other.family.getName() == family.getName(); }),
                          candidates.end());
         candidates.push_back(candidateOf(outline, family, vpCircleMarkerReject::NONE));
       }
