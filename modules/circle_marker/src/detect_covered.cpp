@@ -47,9 +47,9 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
   return marker ? std::optional<Recognition>(std::move(*marker)) : std::nullopt;
 }
 
-std::vector<Attempt> attemptsOf(const std::vector<vpCircleMarkerFamily> &families)
+void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector<Attempt> &attempts)
 {
-  std::vector<Attempt> attempts;
+  attempts.clear();
   std::size_t k = 0;
   while (k < families.size()) {
     const std::size_t first = k;
@@ -60,7 +60,6 @@ std::vector<Attempt> attemptsOf(const std::vector<vpCircleMarkerFamily> &familie
       attempts.push_back({coded, true});
     }
   }
-  return attempts;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -50,8 +50,10 @@ struct Attempt
   The ways to read an outline, in the order in which they are tried: family by family; where several with a code follow
   each other, as whole markers of all of them before as covered ones. What is seen of a covered marker is little enough
   to be taken for that of another family.
+  \param families : The families that are sought.
+  \param attempts : The result; its memory is used again.
 */
-std::vector<Attempt> attemptsOf(const std::vector<vpCircleMarkerFamily> &families);
+void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector<Attempt> &attempts);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -153,7 +153,7 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
     }
   };
   m_examinations.assign(outlines.size(), Examination());
-  m_attempts = attemptsOf(settings.families);
+  listAttempts(settings.families, m_attempts);
   bool isOver = false;
   while (!isOver) {
     if (m_workers.getCount() > 1) {

@@ -18,6 +18,7 @@
 #include "support/debug_record.h"
 
 #include <algorithm>
+#include <tuple>
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
@@ -87,16 +88,19 @@ void recordScale(const OutlineMemory::Scale &memory, const ToImage &toImage, vpC
     }
   }
   debug.scales.push_back(std::move(scale));
-  // In the order of the chains, which does not depend on the threads; those of one chain lie in one bench.
+  // In an order that does not depend on the threads, two of which may have had the same chain, as a whole and in
+  // pieces.
   std::vector<const EllipseMemory::Refusal *> refusals;
   for (const EllipseMemory::Bench &bench : memory.ellipses.benches) {
     for (const EllipseMemory::Refusal &refusal : bench.refusals) {
       refusals.push_back(&refusal);
     }
   }
-  std::stable_sort(
-      refusals.begin(), refusals.end(),
-      [](const EllipseMemory::Refusal *p, const EllipseMemory::Refusal *q) { return p->chain < q->chain; });
+  std::stable_sort(refusals.begin(), refusals.end(),
+                   [](const EllipseMemory::Refusal *p, const EllipseMemory::Refusal *q) {
+                     return std::make_tuple(p->chain, p->reason, p->points.size(), p->ellipse.a) <
+                            std::make_tuple(q->chain, q->reason, q->points.size(), q->ellipse.a);
+                   });
   for (const EllipseMemory::Refusal *refusal : refusals) {
     vpCircleMarkerCandidate candidate;
     candidate.reason = refusal->reason;
