@@ -38,9 +38,9 @@ struct DetectorSettings
   bool refinePose = true;                     //!< Whether poses are refined on the grey levels.
   bool zAlignedWithCameraAxis = false;        //!< Marker frame: z into the marker rather than toward the camera.
   vpCircleMarkerPolarity polarity = vpCircleMarkerPolarity::BLACK_ON_WHITE; //!< Which markers are looked for.
-  unsigned int threads = 1;                   //!< Number of threads.
-  bool tracking = false;                      //!< Whether markers are looked for near the places they had.
-  unsigned int fullSearchPeriod = 10;         //!< Tracking: every so many images, the whole one is searched.
+  unsigned int threads = 1;                                                 //!< Number of threads.
+  bool tracking = false;              //!< Whether markers are looked for near the places they had.
+  unsigned int fullSearchPeriod = 10; //!< Tracking: every so many images, the whole one is searched.
 };
 
 /*!
