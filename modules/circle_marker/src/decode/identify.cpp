@@ -28,9 +28,9 @@ namespace {
 // Black and white sectors differ by this share of the ring's contrast at least: a golay23 track of 20 pixels outer
 // diameter at 45 degrees keeps about a fifth after the blur between sectors is undone.
 constexpr double leastContrast = 0.2;
-// The middle between black and white sectors is that between ink and paper. On 1900 markers of 12 to 40 pixels it was
-// read at 0.44 to 0.99, the latter where the surround is black and dims a narrow quiet zone. Bright spots with a dark
-// rim, whose slope around the spot was taken for sectors, had 1.3 to 4.
+// The middle between black and white sectors is that between ink and paper, and higher where the surround is black and
+// dims a narrow quiet zone, but within the ring's contrast. Bright spots with a dark rim, whose slope around the spot
+// was taken for sectors, have it outside.
 constexpr double mostOffMiddle = 0.7;
 // A track that is not made of sectors leaves more than this share of its own contrast unexplained.
 constexpr double mostResidual = 0.25;

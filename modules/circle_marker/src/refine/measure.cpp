@@ -196,8 +196,10 @@ RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &came
     keepTwo(fits);
     ranked.fits = fits;
     const MarkerPlane &best = fits[0].plane;
-    const double motion = std::min(outlineMotion(marker.poses[0], best), outlineMotion(marker.poses[1], best));
-    if (look == 0 && motion < farOff * meterPerPixelAt(best, camera)) {
+    const auto isNear = [&](const MarkerPlane &looked) {
+      return outlineMotion(looked, best) < farOff * meterPerPixelAt(best, camera);
+    };
+    if (std::any_of(around.begin(), around.end(), isNear)) {
       break;
     }
     around.clear();
