@@ -26,7 +26,7 @@
 #include "pose/hypotheses.h"
 #include "refine/measure.h"
 #include "refine/report.h"
-#include "support/debug_record.h"
+#include "debug_record.h"
 
 BEGIN_VISP_NAMESPACE
 

@@ -22,7 +22,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "support/debug_record.h"
+#include "debug_record.h"
 
 BEGIN_VISP_NAMESPACE
 

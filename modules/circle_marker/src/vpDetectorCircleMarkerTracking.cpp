@@ -21,7 +21,7 @@
 
 #include <visp3/core/vpException.h>
 
-#include "support/debug_record.h"
+#include "debug_record.h"
 
 BEGIN_VISP_NAMESPACE
 

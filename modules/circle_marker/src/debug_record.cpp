@@ -15,7 +15,7 @@
  * Notes what the rooms of the detector see, to be looked at.
  */
 
-#include "support/debug_record.h"
+#include "debug_record.h"
 
 #include <algorithm>
 #include <tuple>
