@@ -13,7 +13,7 @@
 # WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
 #
 # Description:
-# Takes the run paths out of what is about to be packed, and adds what Debian wants beside it.
+# Takes the run paths out of what is about to be packed, and adds what Debian wants beside it: papers, manual pages.
 #
 #############################################################################
 
@@ -30,3 +30,32 @@ foreach(file ${files})
 endforeach()
 file(COPY ${CPACK_CIRCLE_MARKER_DOCUMENTS} FILE_PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ
      DESTINATION ${CPACK_TEMPORARY_DIRECTORY}/usr/share/doc/${CPACK_PACKAGE_NAME})
+
+# The first sentence of a program's help is what apropos shows of it.
+if(CPACK_CIRCLE_MARKER_HELP2MAN)
+  set(ENV{LD_LIBRARY_PATH} ${CPACK_CIRCLE_MARKER_LIBRARIES})
+  set(manual ${CPACK_TEMPORARY_DIRECTORY}/usr/share/man/man1)
+  file(MAKE_DIRECTORY ${manual})
+  file(GLOB programs ${CPACK_TEMPORARY_DIRECTORY}/usr/bin/*)
+  foreach(program ${programs})
+    get_filename_component(name ${program} NAME)
+    execute_process(COMMAND ${program} --help OUTPUT_VARIABLE sentence RESULT_VARIABLE result)
+    string(REGEX REPLACE "\n.*" "" sentence "${sentence}")
+    string(REGEX REPLACE "\\.( .*)?$" "" sentence "${sentence}")
+    if(result EQUAL 0)
+      execute_process(
+        COMMAND ${CPACK_CIRCLE_MARKER_HELP2MAN} --no-info --section 1 --version-string ${CPACK_PACKAGE_VERSION}
+                --name ${sentence} --source "circular markers for ViSP" --manual "User Commands"
+                --output ${manual}/${name}.1 ${program}
+        RESULT_VARIABLE result)
+    endif()
+    if(result EQUAL 0)
+      execute_process(COMMAND ${CPACK_CIRCLE_MARKER_GZIP} -9n ${manual}/${name}.1 RESULT_VARIABLE result)
+    endif()
+    if(NOT result EQUAL 0)
+      message(FATAL_ERROR "${name}: no manual page could be made of its --help")
+    endif()
+  endforeach()
+  file(GLOB pages ${manual}/*)
+  file(CHMOD ${pages} PERMISSIONS OWNER_READ OWNER_WRITE GROUP_READ WORLD_READ)
+endif()

@@ -29,8 +29,9 @@ for use in "$@"; do
     build) packages+=(build-essential cmake pkg-config libvisp-dev libeigen3-dev libopencv-dev libcairo2-dev
                       libcli11-dev nlohmann-json3-dev gnuplot-nox libbenchmark-dev) ;;
     # GoogleTest; poppler and librsvg read printed sheets back; photographs; a display without a screen; what CPack
-    # needs for a Debian package.
-    test) packages+=(libgtest-dev poppler-utils librsvg2-bin visp-images-data xvfb xauth xdotool dpkg-dev file) ;;
+    # needs for a Debian package, and help2man for its manual pages.
+    test) packages+=(libgtest-dev poppler-utils librsvg2-bin visp-images-data xvfb xauth xdotool dpkg-dev file
+                     help2man) ;;
     # To unpack and build ViSP's own source.
     in-tree) packages+=(dpkg-dev ca-certificates ccache) ;;
     # The documentation: Doxygen, bibtex for its references, MathJax for its formulas.

@@ -13,12 +13,16 @@
 # WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
 #
 # Description:
-# Packs the build for Debian, then looks at the package and builds a third party's project against what it holds.
+# Packs the build for Debian, installs the package, builds a third party's project against it, and removes it again.
 #
 #############################################################################
 
-# cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -D CPACK=... -D DPKG_DEB=... -D LINTIAN=... -P ...
-# LINTIAN: the program; empty to leave it out. Nothing is installed into the system.
+# cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -D CPACK=... -D DPKG=... -D LINTIAN=... -D PKG_CONFIG=...
+#       -P ...
+# LINTIAN, PKG_CONFIG: the programs; empty to leave them out. The package is installed below WORK_DIR, with a list of
+# packages of its own: nothing of the system changes, and no rights are asked for.
+cmake_minimum_required(VERSION 3.19)
+
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
@@ -37,17 +41,36 @@ if(NOT count EQUAL 1)
 endif()
 
 if(LINTIAN)
-  # Warnings are not errors: one package has library and headers, and the programs have no manual pages but --help.
+  # Warnings are not errors (doc/decisions/one-debian-package.md).
   run(${LINTIAN} --fail-on error --allow-root ${packages})
 endif()
 
-run(${DPKG_DEB} --info ${packages})
-run(${DPKG_DEB} --extract ${packages} ${WORK_DIR}/root)
-file(GLOB stray RELATIVE ${WORK_DIR}/root ${WORK_DIR}/root/*)
-if(NOT stray STREQUAL "usr")
+# dpkg asks that ldconfig can be found, which an ordinary user's path leaves out; the package's scripts call it, and the
+# system's must not be told of what is not there tomorrow.
+set(root ${WORK_DIR}/root)
+file(MAKE_DIRECTORY ${root}/var/lib/dpkg/info ${root}/var/lib/dpkg/updates ${root}/var/lib/dpkg/triggers)
+file(WRITE ${root}/var/lib/dpkg/status "")
+file(WRITE ${root}/var/lib/dpkg/available "")
+file(WRITE ${WORK_DIR}/commands/ldconfig "#!/bin/sh\n")
+file(CHMOD ${WORK_DIR}/commands/ldconfig PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
+set(ENV{PATH} "${WORK_DIR}/commands:$ENV{PATH}:/usr/sbin:/sbin")
+# The packages that it depends on are in the system's list.
+set(dpkg ${DPKG} --root=${root} --force-not-root --force-depends --force-script-chrootless --log=${WORK_DIR}/dpkg.log)
+run(${dpkg} --install ${packages})
+run(${dpkg} --verify visp-circle-marker)
+file(GLOB stray RELATIVE ${root} ${root}/*)
+if(NOT stray STREQUAL "usr;var")
   message(FATAL_ERROR "the package has files outside of /usr: ${stray}")
 endif()
-file(GLOB_RECURSE config ${WORK_DIR}/root/usr/VISPConfig.cmake)
+file(GLOB programs RELATIVE ${root}/usr/bin ${root}/usr/bin/*)
+file(GLOB pages RELATIVE ${root}/usr/share/man/man1 ${root}/usr/share/man/man1/*)
+foreach(program ${programs})
+  if(pages AND NOT "${program}.1.gz" IN_LIST pages)
+    message(FATAL_ERROR "${program} has no manual page")
+  endif()
+endforeach()
+
+file(GLOB_RECURSE config ${root}/usr/VISPConfig.cmake)
 if(NOT config)
   message(FATAL_ERROR "the package has no VISPConfig.cmake")
 endif()
@@ -57,3 +80,27 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/install-consumer -B ${WORK_DIR
     -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${CXX_COMPILER})
 run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
 run(${WORK_DIR}/build/install-consumer)
+
+if(PKG_CONFIG)
+  file(GLOB_RECURSE file ${root}/usr/visp_circle_marker.pc)
+  get_filename_component(folder ${file} DIRECTORY)
+  set(ENV{PKG_CONFIG_PATH} ${folder})
+  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs visp_circle_marker OUTPUT_VARIABLE flags RESULT_VARIABLE result)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "pkg-config does not know the package's visp_circle_marker")
+  endif()
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  get_filename_component(libraries ${folder} DIRECTORY)
+  run(${CXX_COMPILER} ${CMAKE_CURRENT_LIST_DIR}/install-consumer/install-consumer.cpp -o ${WORK_DIR}/with-pkg-config
+      ${flags} -Wl,-rpath,${libraries})
+  run(${WORK_DIR}/with-pkg-config)
+endif()
+
+run(${dpkg} --remove visp-circle-marker)
+# Settings, if the package had any, would go with this only.
+run(${dpkg} --purge visp-circle-marker)
+file(GLOB left LIST_DIRECTORIES true RELATIVE ${root} ${root}/*)
+if(NOT left STREQUAL "var")
+  file(GLOB_RECURSE left RELATIVE ${root} ${root}/usr/*)
+  message(FATAL_ERROR "the package, removed, leaves: ${left}")
+endif()
