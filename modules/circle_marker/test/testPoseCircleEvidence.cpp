@@ -24,17 +24,6 @@
 using namespace pose_circle_test;
 
 namespace {
-vpMatrix toVisp(const Matrix3 &Q)
-{
-  vpMatrix matrix(3, 3);
-  for (int i = 0; i < 3; i++) {
-    for (int j = 0; j < 3; j++) {
-      matrix[i][j] = static_cast<double>(Q(i, j));
-    }
-  }
-  return matrix;
-}
-
 vpCameraParameters camera()
 {
   vpCameraParameters cam;

@@ -29,6 +29,7 @@
 #include <Eigen/Geometry>
 
 #include <visp3/core/vpHomogeneousMatrix.h>
+#include <visp3/core/vpMatrix.h>
 
 #include "testRandom.h"
 
@@ -134,6 +135,17 @@ inline Errors errorsOf(const View &view, const vpHomogeneousMatrix &cMo, bool zA
 inline Errors better(const Errors &a, const Errors &b)
 {
   return (a.normal + a.center < b.normal + b.center) ? a : b;
+}
+
+inline vpMatrix toVisp(const Matrix3 &Q)
+{
+  vpMatrix matrix(3, 3);
+  for (int i = 0; i < 3; i++) {
+    for (int j = 0; j < 3; j++) {
+      matrix[i][j] = static_cast<double>(Q(i, j));
+    }
+  }
+  return matrix;
 }
 } // namespace pose_circle_test
 
