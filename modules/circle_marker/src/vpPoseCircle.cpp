@@ -209,6 +209,7 @@ double vpPoseCircle::getLogOdds() const
   \param cMo : A pose, in either frame convention.
   \return Sum of the squared distances, normalised coordinates, of the contour points to the image of the circle at that
   pose; a measured ellipse counts as 72 points.
+  \exception vpException::notInitialized : No radius.
 */
 double vpPoseCircle::computeResidual(const vpHomogeneousMatrix &cMo) const
 {
@@ -225,7 +226,11 @@ double vpPoseCircle::computeResidual(const vpHomogeneousMatrix &cMo) const
   return sum;
 }
 
-/*! \return Conic of the measured or fitted ellipse in normalised coordinates: 3 x 3, unit norm, negative inside. */
+/*!
+  \return Conic of the measured or fitted ellipse in normalised coordinates: 3 x 3, unit norm, negative inside.
+  \exception vpException::notInitialized : Fewer than 5 points and no measured ellipse.
+  \exception vpException::badValue : No ellipse fits the points.
+*/
 vpMatrix vpPoseCircle::getConic() const
 {
   const CenteredEllipse ellipse = m_impl->ellipse();

@@ -29,7 +29,11 @@ vpSceneBackground vpSceneBackground::plain(double grey)
   return background;
 }
 
-/*! A photograph, stretched to the size of the image. */
+/*!
+  A photograph, stretched to the size of the image.
+  \param picture : its grey levels.
+  \exception vpException::badValue : the picture is empty.
+*/
 vpSceneBackground vpSceneBackground::photo(const vpImage<unsigned char> &picture)
 {
   if (picture.getSize() == 0) {

@@ -85,6 +85,7 @@ vpSceneOccluder vpSceneOccluder::bar(const vpImagePoint &from, const vpImagePoin
   \param semiAxisA, semiAxisB : semi-axes, in pixels.
   \param angle : direction of the axis A, in radians from +u toward +v.
   \param grey : grey level.
+  \exception vpException::badValue : a semi-axis is not positive.
 */
 vpSceneOccluder vpSceneOccluder::ellipse(const vpImagePoint &center, double semiAxisA, double semiAxisB, double angle,
                                          double grey)

@@ -81,6 +81,7 @@ vpSimulatedMarker vpSimulatedMarker::circle(const std::string &family, int id, d
 
   \param size : outer diameter, in metres.
   \param ratio : inner over outer diameter, from 0 (a disc) to less than 1.
+  \exception vpException::badValue : a ratio out of this range, or a size that is not positive.
 */
 vpSimulatedMarker vpSimulatedMarker::ring(double size, double ratio)
 {
@@ -137,6 +138,7 @@ vpSimulatedMarker vpSimulatedMarker::aprilTag36h11(int id, double size)
 
   \param picture : 0 is ink, 255 is paper.
   \param width, height : size of the print, in metres.
+  \exception vpException::badValue : the picture is empty, or a size is not positive.
 */
 vpSimulatedMarker vpSimulatedMarker::bitmap(const vpImage<unsigned char> &picture, double width, double height)
 {
@@ -177,7 +179,10 @@ vpSimulatedMarker &vpSimulatedMarker::setQuietZone(double quietZone)
   return setSheetSide(m_size * (1. + quietZone));
 }
 
-/*! Sets the side of the square white sheet, in metres; it is centred on the marker and not smaller than it. */
+/*!
+  Sets the side of the square white sheet, in metres; it is centred on the marker.
+  \exception vpException::badValue : the sheet is smaller than the marker.
+*/
 vpSimulatedMarker &vpSimulatedMarker::setSheetSide(double side)
 {
   if (!(side >= m_size) || !(side >= m_height)) {
@@ -238,6 +243,7 @@ vpSimulatedMarker &vpSimulatedMarker::setTrack(double inner, double outer, unsig
 /*!
   Sets how far ink has spread: every black edge lies this much further out, in metres; negative for ink that is too
   thin. Only for circular markers and AprilTags.
+  \exception vpException::badValue : a bitmap, or more than 0.02 of the marker's size.
 */
 vpSimulatedMarker &vpSimulatedMarker::setInkSpread(double spread)
 {

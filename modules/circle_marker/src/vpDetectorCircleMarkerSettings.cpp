@@ -1,0 +1,189 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Settings of the circular marker detector.
+ */
+
+#include "vpDetectorCircleMarkerImpl.h"
+
+#include <visp3/core/vpException.h>
+
+BEGIN_VISP_NAMESPACE
+
+/*!
+  \param family : The only family to look for.
+*/
+void vpDetectorCircleMarker::setFamily(const vpCircleMarkerFamily &family)
+{
+  m_impl->settings.families = {family};
+  m_impl->forgetTracks();
+}
+
+/*!
+  \param families : Families to look for, at least one. An outline that could be of several is given to the first:
+  every marker of bch31r is also one of bch31 (its code is a part of that code), so name bch31r before bch31.
+  \exception vpException::badValue : If there is none.
+*/
+void vpDetectorCircleMarker::setFamilies(const std::vector<vpCircleMarkerFamily> &families)
+{
+  if (families.empty()) {
+    throw vpException(vpException::badValue, "vpDetectorCircleMarker: at least one family must be looked for");
+  }
+  m_impl->settings.families = families;
+  m_impl->forgetTracks();
+}
+
+/*!
+  \return Families that are looked for.
+*/
+const std::vector<vpCircleMarkerFamily> &vpDetectorCircleMarker::getFamilies() const
+{
+  return m_impl->settings.families;
+}
+
+/*!
+  \param database : What is known of the markers. Those in it have its sizes, whatever detect() and setMarkerSizes()
+  say, and their messages carry name and payload: "golay23 id: 5 name: door payload: wait". Which families are looked
+  for is setFamilies()'s.
+*/
+void vpDetectorCircleMarker::setDatabase(const vpCircleMarkerDatabase &database)
+{
+  m_impl->database = database;
+}
+
+/*!
+  \return What is known of the markers.
+*/
+const vpCircleMarkerDatabase &vpDetectorCircleMarker::getDatabase() const
+{
+  return m_impl->database;
+}
+
+/*!
+  \param sizes : Sizes of single markers, metres, by id; the others have the size given to detect().
+  \exception vpException::badValue : If a size is not positive.
+*/
+void vpDetectorCircleMarker::setMarkerSizes(const std::map<int, double> &sizes)
+{
+  for (const auto &[id, size] : sizes) {
+    (void)id;
+    circle_marker::checkMarkerSize(size);
+  }
+  m_impl->settings.sizes = sizes;
+}
+
+/*!
+  \param distance : Most sectors of a code that are corrected (2 by default). The codes of distance 7 correct 3: every
+  word of golay23 is then a marker, so keep to 2 at most where phantoms matter.
+*/
+void vpDetectorCircleMarker::setMaximumHammingDistance(unsigned int distance)
+{
+  m_impl->settings.decode.maximumHamming = distance;
+}
+
+/*!
+  \param margin : Least decision margin, from 0 to 1 (see getMargin()).
+  \exception vpException::badValue : If it is outside of [0, 1].
+*/
+void vpDetectorCircleMarker::setMinimumMargin(double margin)
+{
+  if (!(margin >= 0. && margin <= 1.)) {
+    throw vpException(vpException::badValue, "vpDetectorCircleMarker: the margin %g is not in [0, 1]", margin);
+  }
+  m_impl->settings.decode.minimumMargin = margin;
+}
+
+/*!
+  \param threads : Number of threads, at least one.
+  \exception vpException::badValue : If it is 0.
+*/
+void vpDetectorCircleMarker::setNbThreads(unsigned int threads)
+{
+  if (threads == 0) {
+    throw vpException(vpException::badValue, "vpDetectorCircleMarker: at least one thread is needed");
+  }
+  m_impl->settings.threads = threads;
+}
+
+/*!
+  \param refine : Whether poses are refined on the grey levels around the marker's edges (the default), or left as the
+  closed form of vpPoseCircle gives them, which takes less time.
+*/
+void vpDetectorCircleMarker::setRefinePose(bool refine)
+{
+  m_impl->settings.refinePose = refine;
+}
+
+/*!
+  \param aligned : Whether the marker's z axis points into the marker (and y down), or toward the camera (and y up),
+  which is the default as in vpDetectorAprilTag.
+*/
+void vpDetectorCircleMarker::setZAlignedWithCameraAxis(bool aligned)
+{
+  m_impl->settings.zAlignedWithCameraAxis = aligned;
+}
+
+/*!
+  \return Whether the marker's z axis points into the marker: see setZAlignedWithCameraAxis().
+*/
+bool vpDetectorCircleMarker::isZAlignedWithCameraAxis() const
+{
+  return m_impl->settings.zAlignedWithCameraAxis;
+}
+
+/*!
+  Reads settings from a JSON file; those it does not name stay as they are. Keys: families (list of names), sizes
+  (id to metres), maximumHammingDistance, minimumMargin, refinePose, zAlignedWithCameraAxis, polarity
+  ("black on white", "white on black", "both"), threads, tracking, fullSearchPeriod.
+
+  \param filename : Its path.
+  \exception vpException::ioError : If it cannot be read.
+  \exception vpException::badValue : If it is not JSON, or a key or value is not known.
+  \exception vpException::functionNotImplementedError : If the module was built without nlohmann-json.
+*/
+void vpDetectorCircleMarker::loadConfigFile(const std::string &filename)
+{
+  const circle_marker::DetectorSettings settings = circle_marker::readSettings(filename, m_impl->settings);
+  setFamilies(settings.families);
+  setMarkerSizes(settings.sizes);
+  setMinimumMargin(settings.decode.minimumMargin);
+  setNbThreads(settings.threads);
+  setTracking(settings.tracking, settings.fullSearchPeriod);
+  m_impl->settings = settings;
+}
+
+/*!
+  Writes the settings as loadConfigFile() reads them, whole or not at all.
+  \param filename : Path of the file.
+  \exception vpException::ioError : If it cannot be written.
+  \exception vpException::functionNotImplementedError : If the module was built without nlohmann-json.
+*/
+void vpDetectorCircleMarker::saveConfigFile(const std::string &filename) const
+{
+  circle_marker::writeSettings(filename, m_impl->settings);
+}
+
+/*!
+  \param display : Whether detect() draws the outline of what it finds in the image's display.
+  \param color : Colour; vpColor::none for the default.
+  \param thickness : Of the lines, pixels.
+*/
+void vpDetectorCircleMarker::setDisplayTag(bool display, const vpColor &color, unsigned int thickness)
+{
+  m_impl->displayTag = display;
+  m_impl->displayColor = color;
+  m_impl->displayThickness = thickness;
+}
+
+END_VISP_NAMESPACE
