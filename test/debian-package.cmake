@@ -22,14 +22,7 @@
 # LINTIAN, PKG_CONFIG: the programs; empty to leave them out. The package is installed below WORK_DIR, with a list of
 # packages of its own: nothing of the system changes, and no rights are asked for.
 cmake_minimum_required(VERSION 3.19)
-
-function(run)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    list(JOIN ARGV " " command)
-    message(FATAL_ERROR "failed with ${result}: ${command}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/install-consumer/use.cmake)
 
 file(REMOVE_RECURSE ${WORK_DIR})
 file(MAKE_DIRECTORY ${WORK_DIR})
@@ -76,24 +69,10 @@ if(NOT config)
 endif()
 get_filename_component(folder ${config} DIRECTORY)
 # ViSP's own VISPConfig.cmake is in /usr as well, so the folder is named.
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/install-consumer -B ${WORK_DIR}/build -D VISP_DIR=${folder}
-    -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${CXX_COMPILER})
-run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
-run(${WORK_DIR}/build/install-consumer)
-
+use_with_cmake(${WORK_DIR}/build ${CXX_COMPILER} VISP_DIR=${folder})
 if(PKG_CONFIG)
-  file(GLOB_RECURSE file ${root}/usr/visp_circle_marker.pc)
-  get_filename_component(folder ${file} DIRECTORY)
-  set(ENV{PKG_CONFIG_PATH} ${folder})
-  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs visp_circle_marker OUTPUT_VARIABLE flags RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "pkg-config does not know the package's visp_circle_marker")
-  endif()
-  separate_arguments(flags UNIX_COMMAND "${flags}")
-  get_filename_component(libraries ${folder} DIRECTORY)
-  run(${CXX_COMPILER} ${CMAKE_CURRENT_LIST_DIR}/install-consumer/install-consumer.cpp -o ${WORK_DIR}/with-pkg-config
-      ${flags} -Wl,-rpath,${libraries})
-  run(${WORK_DIR}/with-pkg-config)
+  get_filename_component(libraries ${folder}/../.. ABSOLUTE) # <libraries>/cmake/visp-circle-marker
+  use_with_pkg_config(${WORK_DIR}/with-pkg-config ${CXX_COMPILER} ${PKG_CONFIG} ${libraries})
 endif()
 
 run(${dpkg} --remove visp-circle-marker)

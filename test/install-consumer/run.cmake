@@ -19,13 +19,7 @@
 
 # cmake -D BUILD_DIR=... -D WORK_DIR=... -D CXX_COMPILER=... -D LIBRARY_FOLDER=... -D PKG_CONFIG=... -P run.cmake
 # LIBRARY_FOLDER: in the prefix, for instance lib; PKG_CONFIG: the program, empty to leave that way out.
-function(run)
-  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    list(JOIN ARGV " " command)
-    message(FATAL_ERROR "failed with ${result}: ${command}")
-  endif()
-endfunction()
+include(${CMAKE_CURRENT_LIST_DIR}/use.cmake)
 
 # From nothing: a header or a library that the installation forgets must not be left from an earlier run.
 file(REMOVE_RECURSE ${WORK_DIR})
@@ -37,20 +31,7 @@ if(CMAKE_HOST_SYSTEM_NAME STREQUAL "Linux" AND
 endif()
 # Moved: nothing installed may point back to where it was installed first.
 file(RENAME ${WORK_DIR}/prefix ${WORK_DIR}/moved)
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK_DIR}/build -D CMAKE_PREFIX_PATH=${WORK_DIR}/moved
-    -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_COMPILER=${CXX_COMPILER})
-run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
-run(${WORK_DIR}/build/install-consumer)
-
-# Without CMake: the same program by pkg-config alone. Its libraries are not where the linker looks.
+use_with_cmake(${WORK_DIR}/build ${CXX_COMPILER} CMAKE_PREFIX_PATH=${WORK_DIR}/moved)
 if(PKG_CONFIG)
-  set(ENV{PKG_CONFIG_PATH} ${WORK_DIR}/moved/${LIBRARY_FOLDER}/pkgconfig)
-  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs visp_circle_marker OUTPUT_VARIABLE flags RESULT_VARIABLE result)
-  if(NOT result EQUAL 0)
-    message(FATAL_ERROR "pkg-config does not know the installed visp_circle_marker")
-  endif()
-  separate_arguments(flags UNIX_COMMAND "${flags}")
-  run(${CXX_COMPILER} ${CMAKE_CURRENT_LIST_DIR}/install-consumer.cpp -o ${WORK_DIR}/with-pkg-config ${flags}
-      -Wl,-rpath,${WORK_DIR}/moved/${LIBRARY_FOLDER})
-  run(${WORK_DIR}/with-pkg-config)
+  use_with_pkg_config(${WORK_DIR}/with-pkg-config ${CXX_COMPILER} ${PKG_CONFIG} ${WORK_DIR}/moved/${LIBRARY_FOLDER})
 endif()
