@@ -32,8 +32,8 @@ for use in "$@"; do
     # needs for a Debian package, and help2man for its manual pages.
     test) packages+=(libgtest-dev poppler-utils librsvg2-bin visp-images-data xvfb xauth xdotool dpkg-dev file
                      help2man) ;;
-    # To unpack and build ViSP's own source.
-    in-tree) packages+=(dpkg-dev ca-certificates ccache) ;;
+    # To unpack and build ViSP's own source and documentation.
+    in-tree) packages+=(dpkg-dev ca-certificates ccache doxygen texlive-binaries) ;;
     # The documentation: Doxygen, bibtex for its references, MathJax for its formulas.
     doc) packages+=(doxygen texlive-binaries libjs-mathjax) ;;
     *) echo "install-packages.sh: unknown use $use; known: build, test, in-tree, doc" >&2; exit 2 ;;

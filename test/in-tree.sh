@@ -96,7 +96,7 @@ echo "ViSP's source: $visp; build: $build"
 # Without USE_CXX_STANDARD, ViSP 3.5.0 changes the standard at the second configuration and compiles all again.
 options=(-DCMAKE_BUILD_TYPE=Release -DUSE_CXX_STANDARD=17 "-DVISP_CONTRIB_MODULES_PATH=$root"
          -DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
-         -DBUILD_APPS=OFF -DBUILD_DEMOS=OFF -DBUILD_JAVA=OFF -DBUILD_TESTS=ON -DBUILD_TUTORIALS=ON -DBUILD_EXAMPLES=ON)
+         -DUSE_MATHJAX=ON -DBUILD_APPS=OFF -DBUILD_DEMOS=OFF -DBUILD_JAVA=OFF -DBUILD_TESTS=ON -DBUILD_TUTORIALS=ON -DBUILD_EXAMPLES=ON)
 for module in ar dnn_tracker imgproc java java_bindings_generator klt mbt python python_bindings rbt tt tt_mi; do
   options+=("-DBUILD_MODULE_visp_$module=OFF")
 done
@@ -155,6 +155,39 @@ install_and_use()
     "$consumer/install-consumer"
 }
 install_and_use || { echo "in-tree.sh: the modules cannot be used from an installed ViSP" >&2; exit 1; }
+
+# document: the pages, tutorials and examples of our modules in ViSP's own documentation. Doxygen reads all of ViSP; only
+# what it says of our files counts.
+document()
+{
+  local html=$build/doc/html page missing=0
+  if ! has_target visp_doc; then
+    echo "ViSP's documentation was not made: there is no Doxygen (bash cmake/install-packages.sh in-tree)"
+    return 0
+  fi
+  rm -rf "$html" "$work/doc"
+  mkdir -p "$work/doc"
+  find "$build" -maxdepth 2 -name warning.log -delete
+  if ! cmake --build "$build" --target visp_doc > "$work/doc/visp_doc.log" 2>&1; then
+    tail -n 40 "$work/doc/visp_doc.log" >&2
+    return 1
+  fi
+  find "$build" -maxdepth 2 -name warning.log -exec cat {} + > "$work/doc/warnings"
+  if grep -F "$root/" "$work/doc/warnings" >&2; then
+    return 1
+  fi
+  while read -r page; do
+    if [[ ! -s $html/$page.html ]]; then
+      echo "no page $page" >&2
+      missing=1
+    fi
+  done < <(sed -n 's/^ *\\page \([^ ]*\) .*/\1/p' "$root"/modules/*/doc/*.dox
+           sed -n 's/^ *\\defgroup \([^ ]*\) .*/group_\1/p' "$root"/modules/*/doc/*.dox | sed 's/_/__/g'
+           find "$root/tutorial" "$root/example" -name '*.cpp' -exec sed -n 's/^ *\\example //p' {} + |
+             sed 's/\//_2/g;s/\./_8/g;s/$/-example/')
+  return "$missing"
+}
+document || { echo "in-tree.sh: ViSP's documentation has not all of the modules'" >&2; exit 1; }
 
 log=$work/ctest-output.txt
 status=0

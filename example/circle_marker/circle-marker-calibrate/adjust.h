@@ -46,6 +46,8 @@ struct Adjustment
   Minimises the squared distances between the observations and the images of the target's points, by Levenberg's and
   Marquardt's method; poses are eliminated from the normal equations view by view (Schur complement).
 
+  \param target : What was seen.
+  \param views : Its points, pixels.
   \param start : Lens and poses to begin with; every point must be in front of the camera.
 */
 Adjustment adjust(const Target &target, const std::vector<View> &views, const Adjustment &start);

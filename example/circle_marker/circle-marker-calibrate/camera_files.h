@@ -28,7 +28,11 @@
 namespace calibrate {
 /*!
   Writes cameras into one file as vpXmlParserCamera does, whole or not at all; an older file is replaced.
+  \param file : Its path.
+  \param name : Of the camera.
+  \param cameras : One for each model.
   \param width : Of the images, pixels.
+  \param height : The same.
   \exception std::runtime_error : If it cannot be written.
 */
 void writeCameras(const std::string &file, const std::string &name, const std::vector<vpCameraParameters> &cameras,

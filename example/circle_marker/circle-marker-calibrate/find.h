@@ -46,6 +46,8 @@ public:
   explicit Finder(const Target &target);
 
   /*!
+    \param I : The image.
+    \param name : Of the image, for the view.
     \param lens : The camera as far as it is known; a nominal one for the first time. It only helps to draw outlines.
   */
   Search find(const vpImage<unsigned char> &I, const std::string &name, const std::optional<Lens> &lens);

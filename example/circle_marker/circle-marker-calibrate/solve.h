@@ -43,7 +43,10 @@ struct Calibration
   Calibrates. The offset between an ellipse's centre and the image of the circle's centre follows from camera and pose,
   so both are computed in turn until they agree. Points whose residual is beyond six times the others' are left out.
 
+  \param target : What was seen.
   \param views : As seen; each with at least four points.
+  \param model : Of the lens.
+  \param centers : What the points of circles are taken for.
   \param start : To begin with; none: a first guess is made.
 */
 Calibration calibrate(const Target &target, const std::vector<View> &views, LensModel model, Centers centers,

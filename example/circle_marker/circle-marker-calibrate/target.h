@@ -58,6 +58,9 @@ struct Target
 
 /*!
   A chessboard or a grid of discs.
+  \param kind : Which of them.
+  \param columns : Points in a row.
+  \param rows : Rows of points.
   \param spacing : Side of a square; distance of discs in a row, and of rows; of asymmetric grids the distance of two
   rows, half the distance of discs in a row, as OpenCV has it; metres.
   \param diameter : Of the discs, metres; of no meaning for a chessboard.

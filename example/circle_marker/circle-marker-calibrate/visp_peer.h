@@ -37,6 +37,8 @@ struct VispCalibration
 /*!
   vpCalibration as ViSP's example calibrate-camera uses it: each view alone, then all together (virtual visual
   servoing, gain 0.5).
+  \param target : What was seen.
+  \param views : Its points, pixels.
   \param hasDistortion : Whether kud and kdu are sought.
 */
 VispCalibration calibrateByVisp(const Target &target, const std::vector<View> &views, bool hasDistortion);

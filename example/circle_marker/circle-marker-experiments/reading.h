@@ -32,6 +32,7 @@ namespace experiments {
 
   \param marker : With a code, at its pose.
   \param distance : Of the code, sectors or cells.
+  \param scene : Pose of the marker, camera, light, blur and noise.
 */
 double readingDistance(const vpSimulatedMarker &marker, unsigned int distance, const Scene &scene);
 } // namespace experiments

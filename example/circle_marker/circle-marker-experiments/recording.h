@@ -65,6 +65,7 @@ struct Recording
   tutorial-circle-marker-detector-live --record writes it and tutorial-circle-marker-detector --json. A station is named
   after its distance (2m, 2.5m), or begins with "slide".
 
+  \param folder : Its path.
   \param id : Of the marker; nothing: the one that is found most often.
   \exception DataError : If there is no recording that can be used.
 */

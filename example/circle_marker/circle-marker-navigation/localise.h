@@ -47,6 +47,8 @@ struct Location
   Of a marker's two poses the one is taken that is nearer to what is expected, unless the first is far likelier. A
   marker that contradicts what is expected, or the others, by far more than its covariance says is left out.
 
+  \param database : Poses of the markers in the world.
+  \param detections : What was seen, z into the marker.
   \param expected : Where the camera should be, to some decimetres.
   \return Nothing if no marker of the database with a pose was seen.
 */

@@ -45,7 +45,10 @@ bool pressKey(Controls &controls, char key);
 
 /*!
   The mouse was dragged with a button held.
+  \param controls : The camera that it moves.
   \param button : 1: turns the camera, so that what is under the pointer stays there; 2: shifts it to the sides.
+  \param du : To the right, pixels.
+  \param dv : Down, pixels.
   \param focal : Focal length, pixels.
 */
 void drag(Controls &controls, int button, double du, double dv, double focal);
