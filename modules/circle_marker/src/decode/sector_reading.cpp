@@ -18,8 +18,10 @@
 #include "decode/sector_reading.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "decode/marker_light.h"
 #include "support/bilinear.h"
 
 BEGIN_VISP_NAMESPACE
@@ -32,6 +34,9 @@ constexpr double leastCenter = 0.2;
 constexpr double whiteOfQuietZone = 0.6;
 // Least contrast of the ring, grey levels.
 constexpr double leastContrast = 6.;
+// Half of the width of a shadow's edge, in units of the blur, and what a sample on it counts.
+constexpr double edgeOfShadow = 2.;
+constexpr double weightOnShadow = 0.1;
 
 std::optional<double> sampleAt(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
                                double radius, double c, double s)
@@ -76,11 +81,9 @@ Judged<CodeTrack> sampleTrack(const vpImage<unsigned char> &I, const CameraModel
   CodeTrack track;
   track.samples = samplesPerSector * family.getNbSectors();
   track.weight.fill(1.);
-  // White is fitted as a plane over the marker: mean and first harmonic of the quiet zone around it.
-  double white = 0.;
-  double whiteCos = 0.;
-  double whiteSin = 0.;
-  double black = 0.;
+  // The light is known by the white of the quiet zone around.
+  std::array<double, mostSamples> outside;
+  std::array<double, mostSamples> ring;
   for (unsigned int i = 0; i < track.samples; ++i) {
     const double angle = 2. * M_PI * (i + 0.5) / track.samples;
     const double c = std::cos(angle);
@@ -94,15 +97,13 @@ Judged<CodeTrack> sampleTrack(const vpImage<unsigned char> &I, const CameraModel
       sum += *grey / 3.;
     }
     track.grey[i] = sum;
-    const auto outside = sampleAt(I, camera, plane, whiteRadius, c, s);
-    const auto ring = sampleAt(I, camera, plane, blackRadius, c, s);
-    if (!outside || !ring) {
+    const auto white = sampleAt(I, camera, plane, whiteRadius, c, s);
+    const auto black = sampleAt(I, camera, plane, blackRadius, c, s);
+    if (!white || !black) {
       return vpCircleMarkerReject::OUT_OF_IMAGE;
     }
-    white += *outside;
-    whiteCos += 2. * *outside * c;
-    whiteSin += 2. * *outside * s;
-    black += *ring;
+    outside[i] = *white;
+    ring[i] = *black;
     // Angle for a pixel along the track at its middle radius.
     const double step = 0.02; // rad: a secant short enough to be a tangent
     const Eigen::Vector2d before =
@@ -111,19 +112,26 @@ Judged<CodeTrack> sampleTrack(const vpImage<unsigned char> &I, const CameraModel
         camera.toPixel(plane.project(radii[1] * Eigen::Vector2d(std::cos(angle + step), std::sin(angle + step))));
     track.blur[i] = trackBlur * 2. * step / (after - before).norm();
   }
-  const double n = track.samples;
-  white /= n;
-  whiteCos /= n * whiteRadius;
-  whiteSin /= n * whiteRadius;
-  black /= n;
+  const MarkerLight light(outside.data(), track.samples, whiteRadius);
+  const double white = light.mean();
+  double black = 0.; // as it would be in mean light, which multiplies white and black alike
+  for (unsigned int i = 0; i < track.samples; ++i) {
+    const double angle = 2. * M_PI * (i + 0.5) / track.samples;
+    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+    const double here = light.hasShadow() ? std::max(light.at(blackRadius * direction), 1.) : white;
+    black += ring[i] * white / (here * track.samples);
+  }
   if (white - black < leastContrast) {
     return vpCircleMarkerReject::NO_RING;
   }
   for (unsigned int i = 0; i < track.samples; ++i) {
     const double angle = 2. * M_PI * (i + 0.5) / track.samples;
-    const double here = white + radii[1] * (whiteCos * std::cos(angle) + whiteSin * std::sin(angle));
-    // The light multiplies white and black alike.
-    track.grey[i] = (track.grey[i] * white / std::max(here, 1.) - black) / (white - black);
+    const Eigen::Vector2d place = radii[1] * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    track.grey[i] = (track.grey[i] * white / std::max(light.at(place), 1.) - black) / (white - black);
+    // On the edge of a shadow the light is not known.
+    if (light.hasShadow() && std::abs(light.distanceToShadow(place)) < edgeOfShadow * track.blur[i] * radii[1]) {
+      track.weight[i] = weightOnShadow;
+    }
   }
   return track;
 }

@@ -20,7 +20,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "decode/marker_light.h"
 #include "support/bilinear.h"
 #include "support/normal_distribution.h"
 
@@ -44,6 +46,13 @@ constexpr double whiteOfQuietZone = 0.6;
 constexpr double insideOfRing = 0.65;
 constexpr double rimOfDisc = 0.8;
 constexpr double insideOfDisc = 0.4;
+// Ink and paper lose the same share of their light in a shadow, to this factor; a dark thing beside a ring does not
+// darken its ink.
+constexpr double sameShare = 2.;
+// Half of the width of a shadow's edge, pixels: penumbra and blur. Directions that it touches are not asked, as long as
+// this share of all is left.
+constexpr double edgeOfShadow = 2.5;
+constexpr double leastAsked = 0.6;
 
 using Greys = std::array<double, directions>;
 
@@ -87,6 +96,28 @@ struct Profile
   }
 };
 
+Eigen::Vector2d onCircle(double radius, std::size_t direction)
+{
+  const double angle = 2. * M_PI * static_cast<double>(direction) / directions;
+  return radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+}
+
+// Whether the dark side of the light around is a shadow: the ring's ink is darker there, too.
+bool isShadow(const MarkerLight &light, const Greys &dark, double darkRadius)
+{
+  double lit = 0.;
+  double shaded = 0.;
+  double inLight = 0.;
+  double inShadow = 0.;
+  for (std::size_t i = 0; i < directions; ++i) {
+    const bool isLit = light.distanceToShadow(onCircle(darkRadius, i)) > 0.;
+    (isLit ? lit : shaded) += dark[i];
+    (isLit ? inLight : inShadow) += 1.;
+  }
+  return inLight > 0. && inShadow > 0. &&
+         shaded * light.getBright() * inLight < sameShare * lit * light.getDark() * inShadow;
+}
+
 // Pixels for a unit of the marker's plane along the direction of a point on its outline.
 double pixelsPerUnit(const CameraModel &camera, const MarkerPlane &plane, std::size_t direction)
 {
@@ -113,6 +144,22 @@ bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camer
       !sampleCircle(I, camera, plane, insideRadius, inside)) {
     return false;
   }
+  const MarkerLight light(outside.data(), directions, whiteRadius, 0.);
+  const bool hasShadow = light.hasShadow() && isShadow(light, dark, darkRadius);
+  std::array<bool, directions> isAsked;
+  isAsked.fill(true);
+  if (hasShadow) { // all as it would be in the light
+    const std::array<std::pair<Greys *, double>, 3> circles = {
+        {{&outside, whiteRadius}, {&dark, darkRadius}, {&inside, insideRadius}}};
+    for (std::size_t i = 0; i < directions; ++i) {
+      const double edge = edgeOfShadow / pixelsPerUnit(camera, plane, i);
+      for (const auto &[greys, radius] : circles) {
+        const Eigen::Vector2d place = onCircle(radius, i);
+        (*greys)[i] *= light.getBright() / std::max(light.at(place), 1.);
+        isAsked[i] = isAsked[i] && std::abs(light.distanceToShadow(place)) > edge;
+      }
+    }
+  }
   const Profile profile = {ringInner, layout.quietZone};
   Greys expectedOuter; // with a surround as black as the ink: less it cannot be
   Greys contrast;
@@ -129,11 +176,17 @@ bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camer
     return false;
   }
   std::size_t shown = 0;
+  std::size_t asked = 0;
   for (std::size_t i = 0; i < directions; ++i) {
+    if (!isAsked[i]) {
+      continue;
+    }
+    ++asked;
     const double outerStep = outside[i] - (isDisc ? inside[i] : dark[i]);
     shown += contrast[i] >= leastStep * usual && outerStep >= leastStep * usual * expectedOuter[i] ? 1 : 0;
   }
-  return static_cast<double>(shown) >= leastShare * directions;
+  return static_cast<double>(shown) >= leastShare * static_cast<double>(asked) &&
+         static_cast<double>(asked) >= leastAsked * directions;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE
