@@ -21,11 +21,11 @@
 
 #include <visp3/core/vpException.h>
 
+#include "support/json_file.h"
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -200,34 +200,20 @@ void writeSettings(const std::string &filename, const DetectorSettings &settings
   json["threads"] = settings.threads;
   json["tracking"] = settings.tracking;
   json["fullSearchPeriod"] = settings.fullSearchPeriod;
-  const std::string temporary = filename + ".tmp";
-  {
-    std::ofstream file(temporary);
-    file << json.dump(2) << "\n";
-    file.close();
-    if (!file) {
-      std::remove(temporary.c_str());
-      throw vpException(vpException::ioError, "cannot write the settings file \"%s\"", filename.c_str());
-    }
-  }
-  if (std::rename(temporary.c_str(), filename.c_str()) != 0) {
-    std::remove(temporary.c_str());
-    throw vpException(vpException::ioError, "cannot write the settings file \"%s\"", filename.c_str());
+  if (!writeWhole(filename, json.dump(2) + "\n")) {
+    throw vpException(vpException::ioError, "cannot write the settings file \"%s\"; is its folder there and writable?",
+                      filename.c_str());
   }
 }
 #else
 DetectorSettings readSettings(const std::string &filename, const DetectorSettings &)
 {
-  throw vpException(vpException::functionNotImplementedError,
-                    "cannot read \"%s\": this build is without nlohmann-json; install it and build again",
-                    filename.c_str());
+  refuseWithoutJson("read", filename);
 }
 
 void writeSettings(const std::string &filename, const DetectorSettings &)
 {
-  throw vpException(vpException::functionNotImplementedError,
-                    "cannot write \"%s\": this build is without nlohmann-json; install it and build again",
-                    filename.c_str());
+  refuseWithoutJson("write", filename);
 }
 #endif
 } // namespace circle_marker

@@ -18,6 +18,7 @@
 #include "testRoomTools.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -210,6 +211,22 @@ TEST(DetectorSettings, NothingIsLeftBesideTheFile)
   EXPECT_NE(file.text().find("golay23"), std::string::npos);
   EXPECT_EQ(file.text().find("old"), std::string::npos);
   EXPECT_FALSE(std::ifstream(file.name() + ".tmp").good());
+}
+
+TEST(DetectorSettings, LinksAndDevicesStayWhatTheyAre)
+{
+  namespace fs = std::filesystem;
+  TestFile file;
+  file.write("old");
+  const std::string link = file.name() + ".link";
+  fs::remove(link);
+  fs::create_symlink(file.name(), link);
+  writeSettings(link, defaults());
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_NE(file.text().find("golay23"), std::string::npos) << "what the link names was not written";
+  fs::remove(link);
+  writeSettings("/dev/null", defaults());
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 #else
 TEST(DetectorSettings, WithoutTheLibraryTheUserIsTold)

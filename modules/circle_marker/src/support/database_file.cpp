@@ -22,13 +22,12 @@
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpPoseVector.h>
 
+#include "support/json_file.h"
 #include "support/marker_size.h"
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
-#include <system_error>
 
 #include "support/json_lines.h"
 #endif
@@ -225,26 +224,7 @@ void writeDatabase(const std::string &filename, const vpCircleMarkerDatabase &da
     text += (text.back() == '[' ? "\n    " : ",\n    ") + written(entry).dump();
   }
   text += "\n  ]\n}\n";
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path target = fs::weakly_canonical(filename, error); // through links, to replace what they point to
-  // What is no ordinary file, such as /dev/stdout, is written directly.
-  const bool isDirect = error || (fs::exists(filename, error) && !fs::is_regular_file(filename, error));
-  const fs::path place = isDirect ? fs::path(filename) : fs::path(target.string() + ".tmp");
-  std::ofstream file(place, std::ios::binary);
-  file << text;
-  file.close();
-  bool isWritten = static_cast<bool>(file);
-  if (!isDirect) {
-    if (isWritten) {
-      fs::rename(place, target, error);
-      isWritten = !error;
-    }
-    if (!isWritten) {
-      fs::remove(place, error);
-    }
-  }
-  if (!isWritten) {
+  if (!writeWhole(filename, text)) {
     throw vpException(vpException::ioError,
                       "cannot write the marker database \"%s\"; is its folder there and writable?", filename.c_str());
   }
@@ -252,16 +232,12 @@ void writeDatabase(const std::string &filename, const vpCircleMarkerDatabase &da
 #else
 vpCircleMarkerDatabase readDatabase(const std::string &filename)
 {
-  throw vpException(vpException::functionNotImplementedError,
-                    "cannot read \"%s\": this build is without nlohmann-json; install it and build again",
-                    filename.c_str());
+  refuseWithoutJson("read", filename);
 }
 
 void writeDatabase(const std::string &filename, const vpCircleMarkerDatabase &)
 {
-  throw vpException(vpException::functionNotImplementedError,
-                    "cannot write \"%s\": this build is without nlohmann-json; install it and build again",
-                    filename.c_str());
+  refuseWithoutJson("write", filename);
 }
 #endif
 } // namespace circle_marker
