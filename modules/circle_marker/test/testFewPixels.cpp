@@ -30,7 +30,7 @@ std::vector<FitPixel> select(const MarkerScene &scene, unsigned int side, int id
   const std::array<MarkerPlane, 2> planes = {plane, plane};
   std::vector<FitPixel> pixels(3); // left over from before
   selectFewPixels(vpImage<unsigned char>(side, side, 100), CameraModel(scene.camera()), planes.data(), hypotheses,
-                  patternOf(scene.family, id, scene.family.getLayout().ringInner), 0.8, pixels);
+                  patternOf(scene.family, id, scene.family.getLayout().ringInner), BlurParameters(), pixels);
   return pixels;
 }
 } // namespace

@@ -34,7 +34,7 @@ std::vector<FitPixel> select(const vpImage<unsigned char> &I, const MarkerScene 
   std::vector<FitPixel> pixels(5); // left over from before
   const MarkerPlane plane = scene.plane();
   selectPixels(I, CameraModel(scene.camera()), &plane, 1,
-               patternOf(scene.family, id, scene.family.getLayout().ringInner), commonBlur, 3000., pixels);
+               patternOf(scene.family, id, scene.family.getLayout().ringInner), BlurParameters(), 3000., pixels);
   return pixels;
 }
 
@@ -196,7 +196,7 @@ TEST(FitPixels, BothHypothesesAreServed)
   const MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
   const CameraModel camera(scene.camera());
   std::vector<FitPixel> pixels;
-  selectPixels(I, camera, planes, 2, pattern, commonBlur, 3000., pixels);
+  selectPixels(I, camera, planes, 2, pattern, BlurParameters(), 3000., pixels);
   std::set<std::pair<int, int>> chosen;
   for (const FitPixel &pixel : pixels) {
     const Eigen::Vector2d where = pixelOf(pixel, scene);

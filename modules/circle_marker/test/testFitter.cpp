@@ -40,7 +40,7 @@ Outcome outcomeOf(Fitter &fitter, const vpImage<unsigned char> &I, const MarkerS
   Outcome outcome;
   const MarkerPattern pattern = patternOf(scene.family, id, scene.family.getLayout().ringInner);
   const MarkerPlane plane = scene.plane();
-  fitter.selectPixels(I, CameraModel(scene.camera()), &plane, 1, pattern, 0.8, 20000., outcome.pixels);
+  fitter.selectPixels(I, CameraModel(scene.camera()), &plane, 1, pattern, BlurParameters(), 20000., outcome.pixels);
   FitSettings settings;
   settings.spinIsKnown = scene.family.isCoded();
   settings.growth = scene.family.getType() != vpCircleMarkerFamily::DISC;
@@ -83,7 +83,8 @@ TEST(Fitter, InstructionsDoNotMatter)
         continue;
       }
       EXPECT_NEAR(other.fit.noise, one.fit.noise, 1e-4 * one.fit.noise);
-      EXPECT_NEAR(other.squares, one.squares, 1e-4 * one.squares);
+      // A hundredth of a standard deviation, as below, where the cost still falls by about one a standard deviation.
+      EXPECT_NEAR(other.squares, one.squares, 1e-4 * one.squares + 0.02 * one.fit.noise * one.fit.noise);
       Eigen::Matrix<double, 6, 6> covariance = one.fit.covariance;
       if (!family.isCoded()) {
         // The held spin leaves it singular; the spin is the same in both.

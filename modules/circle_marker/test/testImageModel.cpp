@@ -50,16 +50,34 @@ MarkerScene asDarkness(MarkerScene scene)
   return scene;
 }
 
-//! Model against integration at every pixel of the image.
-Error compare(const MarkerScene &scene, double blur)
+//! A scene that moves by (u, v) pixels with normal chance while the shutter is open.
+vpImage<double> exposeMoved(const MarkerScene &scene, double blur, const Eigen::Vector2d &motion)
 {
-  const vpImage<double> truth = expose(side, side, blur, asDarkness(scene), 8);
+  vpImage<double> sum(side, side, 0.);
+  double total = 0.;
+  constexpr double step = 0.5; // of the normal chance's standard deviation: its sum is exact to 1e-8
+  for (double place = -4.; place <= 4.; place += step) {
+    const double weight = std::exp(-0.5 * place * place);
+    const auto moved = [&](double u, double v) { return scene(u + place * motion.x(), v + place * motion.y()); };
+    const vpImage<double> still = expose(side, side, blur, moved, 8);
+    for (unsigned int i = 0; i < sum.getSize(); ++i) {
+      sum.bitmap[i] += weight * still.bitmap[i];
+    }
+    total += weight;
+  }
+  for (unsigned int i = 0; i < sum.getSize(); ++i) {
+    sum.bitmap[i] /= total;
+  }
+  return sum;
+}
+
+//! Model against integration at every pixel of the image.
+Error compare(const MarkerScene &scene, const vpImage<double> &truth, const BlurParameters &parameters)
+{
   const CameraModel camera(scene.camera());
   const MarkerPlane plane = scene.plane();
   const MarkerPattern pattern =
       patternOf(scene.family, scene.family.isCoded() ? 0 : -1, scene.family.getLayout().ringInner);
-  BlurParameters parameters;
-  parameters.sigma = std::sqrt(blur * blur + 1. / 12.);
   MarkerPattern printed = pattern;
   printed.word = scene.word;
   Error error;
@@ -75,6 +93,13 @@ Error compare(const MarkerScene &scene, double blur)
     }
   }
   return error;
+}
+
+Error compare(const MarkerScene &scene, double blur)
+{
+  BlurParameters parameters;
+  parameters.sigma = std::sqrt(blur * blur + 1. / 12.);
+  return compare(scene, expose(side, side, blur, asDarkness(scene), 8), parameters);
 }
 
 const vpCircleMarkerFamily::vpType families[] = {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31,
@@ -117,6 +142,32 @@ TEST(ImageModel, AgreesWithIntegrationAtTwentyPixels)
       const Error error = compare(scene, 0.7);
       EXPECT_LT(error.worst, 0.05) << family.getName() << " tilt " << tilt;
       EXPECT_LT(error.rootMeanSquare(), 0.012) << family.getName() << " tilt " << tilt;
+    }
+  }
+}
+
+TEST(ImageModel, AgreesWithIntegrationInMotion)
+{
+  Random random = randomOfTest();
+  for (const vpCircleMarkerFamily::vpType type : families) {
+    const vpCircleMarkerFamily family(type);
+    for (int i = 0; i < 2; ++i) {
+      const MarkerScene scene = markerScene(random, family, randomId(random, family), uniform(random, 80., 100.),
+                                            uniform(random, 0., 0.5), side);
+      const double blur = uniform(random, 0.5, 0.7);
+      const double moved = uniform(random, 0.5, 1.2);
+      const double angle = uniform(random, 0., M_PI);
+      const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+      // Variances across and along the motion; sigma^2 is their geometric mean, exp(4 size) their ratio.
+      const double across = blur * blur + 1. / 12.;
+      const double along = across + moved * moved;
+      BlurParameters parameters;
+      parameters.sigma = std::sqrt(std::sqrt(across * along));
+      parameters.elongation =
+          0.25 * std::log(along / across) * Eigen::Vector2d(std::cos(2. * angle), std::sin(2. * angle));
+      const Error error = compare(scene, exposeMoved(asDarkness(scene), blur, moved * direction), parameters);
+      EXPECT_LT(error.worst, 0.015) << family.getName() << " moved " << moved << " angle " << angle;
+      EXPECT_LT(error.rootMeanSquare(), 0.002) << family.getName() << " moved " << moved << " angle " << angle;
     }
   }
 }
@@ -198,6 +249,8 @@ TEST(ImageModel, DerivativesAgreeWithDifferences)
       BlurParameters blur;
       blur.sigma = uniform(random, 0.6, 1.2);
       blur.growth = uniform(random, -0.2, 0.2);
+      blur.elongation = Eigen::Vector2d(uniform(random, -0.15, 0.15), uniform(random, -0.15, 0.15));
+      blur.sigma /= std::pow(blur.widest() / blur.sigma, 2.); // edges bend as much at most within it as without
       // Central differences with steps of about a hundredth of a pixel.
       const double pixelSize = scene.center.z() / scene.focal;
       const auto difference = [&](const ModelPixel &pixel, int parameter) {
@@ -218,15 +271,19 @@ TEST(ImageModel, DerivativesAgreeWithDifferences)
           else if (parameter == 6) {
             changed.sigma += h;
           }
-          else {
+          else if (parameter == 7) {
             changed.growth += h;
+          }
+          else {
+            changed.elongate(h * Eigen::Vector2d::Unit(parameter - 8));
           }
           values[sign] = darknessAt(pixel, plane, pattern, changed).value;
         }
         return (values[1] - values[0]) / (2. * step);
       };
-      std::array<double, 8> largest{};
-      std::array<double, 8> worst{};
+      constexpr int count = 10; // of parameters
+      std::array<double, count> largest{};
+      std::array<double, count> worst{};
       for (int k = 0; k < 800; ++k) {
         const Eigen::Vector2d where(std::floor(uniform(random, 5., 125.)), std::floor(uniform(random, 5., 125.)));
         const ModelPixel pixel = pixelAt(camera, where);
@@ -234,18 +291,19 @@ TEST(ImageModel, DerivativesAgreeWithDifferences)
         // The corners' part of the model has no part in the derivative: keep off where a border of sectors meets a rim.
         const Eigen::Vector2d q = scene.onMarker(where.x(), where.y());
         const vpCircleMarkerLayout &layout = family.getLayout();
-        const double reach = 5.5 * blur.sigma * 2. * pixelSize / (scene.radius * std::cos(0.9));
+        const double reach = 5.5 * blur.widest() * 2. * pixelSize / (scene.radius * std::cos(0.9));
         const bool nearRim = family.isCoded() && (std::fabs(q.norm() - layout.codeOuter) < reach ||
                                                   std::fabs(q.norm() - layout.codeInner) < reach);
         const bool outside = !family.isCoded() || q.norm() > layout.codeOuter + reach;
         if (nearRim && !outside) {
           continue;
         }
-        for (int parameter = 0; parameter < 8; ++parameter) {
+        for (int parameter = 0; parameter < count; ++parameter) {
           const auto p = static_cast<std::size_t>(parameter);
           const double analytic = parameter < 6    ? darkness.byPose[parameter]
                                   : parameter == 6 ? darkness.bySigma
-                                                   : darkness.byGrowth;
+                                  : parameter == 7 ? darkness.byGrowth
+                                                   : darkness.byElongation[parameter - 8];
           const double numeric = difference(pixel, parameter);
           largest[p] = std::max(largest[p], std::fabs(numeric));
           worst[p] = std::max(worst[p], std::fabs(analytic - numeric));
@@ -253,7 +311,7 @@ TEST(ImageModel, DerivativesAgreeWithDifferences)
       }
       // What a sharp edge's derivative is like: the sample may have met no edge.
       const double common = 0.4 / blur.sigma;
-      for (std::size_t p = 0; p < 8; ++p) {
+      for (std::size_t p = 0; p < count; ++p) {
         const double scale = p < 3 ? common / pixelSize : p < 6 ? common * scene.radius / pixelSize : common;
         // The model's own derivative holds the direction and the curvature of the edges: right to 3 %.
         EXPECT_LT(worst[p], 3e-2 * std::max(largest[p], scale))

@@ -36,7 +36,7 @@ TEST(PlaneLanes, AgreesWithTheRay)
                                           uniform(random, 20., 110.), uniform(random, 0., 1.2), side);
     const CameraModel camera(scene.camera());
     const ImageReference reference = {camera.toMeter(Eigen::Vector2d(60., 70.)), 1. / scene.focal};
-    const PlaneHomography homography(scene.plane(), reference);
+    const PlaneHomography homography(scene.plane(), reference, Eigen::Matrix2d::Identity());
     PlaceLanes place;
     std::array<ModelPixel, laneCount> pixels;
     for (int lane = 0; lane < laneCount; ++lane) {

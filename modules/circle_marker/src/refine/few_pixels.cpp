@@ -39,9 +39,10 @@ constexpr double mostSurround = 0.02;
 class Rows
 {
 public:
-  Rows(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane, double blur,
+  Rows(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane, const BlurParameters &blur,
        double outermost, std::vector<FitPixel> &pixels)
-      : m_image(I), m_camera(camera), m_plane(plane), m_blur(blur), m_outermost(outermost), m_pixels(pixels)
+      : m_image(I), m_camera(camera), m_plane(plane), m_blur(blur.sigma), m_blurShape(blur.shape()),
+        m_outermost(outermost), m_pixels(pixels)
   {
     m_center = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
     m_size = (camera.toPixel(plane.project(Eigen::Vector2d(1., 0.))) - m_center).norm();
@@ -53,9 +54,10 @@ public:
     const Eigen::Vector2d p = m_camera.toPixel(m_plane.project(q));
     const PlanePoint point = planePoint({m_camera.toMeter(p), m_camera.meterPerPixel(p)}, m_plane);
     const Eigen::Vector2d normal = (point.byPixel.transpose() * across).normalized();
-    const double gradient = (point.byPixel.transpose() * q.normalized()).norm();
+    const double gradient = (m_blurShape * point.byPixel.transpose() * q.normalized()).norm();
+    const double blur = m_blur * (m_blurShape * normal).norm();
     for (int k = 0; k < pixelsOfRow; ++k) {
-      const double along = reach * m_blur * (2. * k / (pixelsOfRow - 1.) - 1.);
+      const double along = reach * blur * (2. * k / (pixelsOfRow - 1.) - 1.);
       const double u = std::round(p.x() + along * normal.x());
       const double v = std::round(p.y() + along * normal.y());
       if (u >= 0. && v >= 0. && u < m_image.getWidth() && v < m_image.getHeight()) {
@@ -85,7 +87,8 @@ private:
   const vpImage<unsigned char> &m_image;
   const CameraModel &m_camera;
   const MarkerPlane &m_plane;
-  const double m_blur;
+  const double m_blur; // pixels, where it is round
+  const Eigen::Matrix2d m_blurShape;
   const double m_outermost;
   std::vector<FitPixel> &m_pixels;
   Eigen::Vector2d m_center;
@@ -94,7 +97,8 @@ private:
 } // namespace
 
 void selectFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                     std::size_t count, const MarkerPattern &pattern, double blur, std::vector<FitPixel> &pixels)
+                     std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur,
+                     std::vector<FitPixel> &pixels)
 {
   pixels.clear();
   const int hypotheses = static_cast<int>(count);

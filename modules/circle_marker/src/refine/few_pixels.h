@@ -34,11 +34,12 @@ namespace circle_marker {
   \param camera : Its camera.
   \param planes, count : The hypotheses; each gets its share of the rows.
   \param pattern : The print.
-  \param blur : Blur expected at the edges, pixels: the spacing of the pixels in a row.
+  \param blur : Blur expected at the edges: the spacing of the pixels in a row.
   \param pixels : The result; its memory is used again. A small marker's rows may share pixels.
 */
 void selectFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                     std::size_t count, const MarkerPattern &pattern, double blur, std::vector<FitPixel> &pixels);
+                     std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur,
+                     std::vector<FitPixel> &pixels);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -85,12 +85,14 @@ double edgeLength(const MarkerPattern &pattern, double meanRadius)
 } // namespace
 
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                  std::size_t count, const MarkerPattern &pattern, double blur, double most,
+                  std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur, double most,
                   std::vector<FitPixel> &pixels)
 {
   pixels.clear();
   count = std::min(count, mostHypotheses);
-  const double band = bandOfBlur * blur + poseErrorOfSelection;
+  // In coordinates in which the blur is round: there lengths are larger by this factor at most.
+  const double longer = blur.widest() / blur.sigma;
+  const double band = bandOfBlur * blur.sigma + longer * poseErrorOfSelection;
   const double outermost = pattern.paper[0].extent;
   const Box box = boundingBox(I, camera, planes, count, outermost);
   const Eigen::Vector2d center = camera.toPixel(planes[0].project(Eigen::Vector2d::Zero()));
@@ -101,7 +103,8 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   const int keep = std::max(1, static_cast<int>(std::ceil(expected / most)));
   const int slant = static_cast<int>(std::lround(0.382 * keep));
   SurroundShare surround(I, camera, planes, count, pattern.paper, blur);
-  std::array<TileView, mostHypotheses> hypotheses = {{{planes[0], pattern, band}, {planes[count - 1], pattern, band}}};
+  std::array<TileView, mostHypotheses> hypotheses = {
+      {{planes[0], pattern, band, blur.shape()}, {planes[count - 1], pattern, band, blur.shape()}}};
   const double perSize = 1. / size;
   const auto add = [&](int u, int v, const Eigen::Matrix2d &meterPerPixel) {
     const Eigen::Vector2d where(u, v);

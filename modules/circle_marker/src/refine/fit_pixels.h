@@ -36,12 +36,12 @@ inline namespace CIRCLE_MARKER_LANES {
   \param camera : Its camera.
   \param planes, count : The hypotheses.
   \param pattern : The print.
-  \param blur : Blur expected at the edges, pixels: the width of the band around them.
+  \param blur : Blur expected at the edges: the width of the band around them.
   \param most : Number of pixels from which the marker is thinned.
   \param pixels : The result; its memory is used again.
 */
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                  std::size_t count, const MarkerPattern &pattern, double blur, double most,
+                  std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur, double most,
                   std::vector<FitPixel> &pixels);
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

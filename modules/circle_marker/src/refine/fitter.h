@@ -46,7 +46,7 @@ public:
 
   /*! See circle_marker::selectPixels(). */
   virtual void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                            std::size_t count, const MarkerPattern &pattern, double blur, double most,
+                            std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur, double most,
                             std::vector<FitPixel> &pixels) = 0;
 
   /*! See circle_marker::fitPose(). */

@@ -108,6 +108,8 @@ inline void rowOf(const PixelBlock &block, const Photometry &photometry, const D
   row[gradientAt + 1] = byLight * block.offsetV;
   row[contrastAt] = -grey.light * darkness.value;
   row[sigmaAt] = byDarkness * darkness.bySigma;
+  row[elongationAt] = byDarkness * darkness.byElongation[0];
+  row[elongationAt + 1] = byDarkness * darkness.byElongation[1];
   row[growthAt] = byDarkness * darkness.byGrowth;
   row[spreadAt] = byDarkness * darkness.bySpread;
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {

@@ -52,7 +52,18 @@ struct CurvatureLanes
   Lanes alongNormal;  // second derivative of the radius along the gradient, by the gradient, 1 / pixel
   Lanes alongTangent; // and along the circle
   Lanes fading;       // share by which the circles' curvature falls on the way out, 1 / pixel
+  Lanes stretched[2]; // stretch of the blur across the circles by each part of an elongation
 };
+
+// Stretch of the blur across an edge by each part of an elongation: cosine and sine of twice the direction of its
+// normal (u, v) of length 1 / perLength.
+void stretchOf(const Lanes &u, const Lanes &v, const Lanes &perLength, Lanes stretched[2])
+{
+  const Lanes cosine = u * perLength;
+  const Lanes sine = v * perLength;
+  stretched[0] = cosine * cosine - sine * sine;
+  stretched[1] = 2.f * cosine * sine;
+}
 
 void curvatureOf(const PlaneLanes &p, CurvatureLanes &curvature)
 {
@@ -65,6 +76,7 @@ void curvatureOf(const PlaneLanes &p, CurvatureLanes &curvature)
   curvature.alongNormal = normal * normal * perRadius * curvature.perGradient;
   curvature.alongTangent = tangent * tangent * perRadius * curvature.perGradient;
   curvature.fading = p.gradient * perRadius + 3.f * curvature.alongNormal;
+  stretchOf(p.gradientU, p.gradientV, curvature.perGradient, curvature.stretched);
 }
 
 // An edge that none of the pixels sees: all are on the same side of it as this distance.
@@ -76,6 +88,7 @@ void seeNothing(const Lanes &distance, EdgeLanes &edge)
   edge.bend.setZero();
   edge.byRadius.setZero();
   edge.bySigma.setZero();
+  edge.byStretch.setZero();
 }
 
 // Circle of a radius, black inside (blackSide 1) or outside (-1).
@@ -105,11 +118,13 @@ void seeCircle(const PlaneLanes &p, const CurvatureLanes &curvature, float radiu
   edge.byRadius =
       (-blackSide * perSigma) * curvature.perGradient * (1.f - bow - squared).max(leastStretch).min(mostStretch);
   edge.bySigma = -perSigma * (blackSide * (scaled * (1.f + squared) + bend) + growth * perSigma);
+  // Distances across shrink, and the curvature with them and with the square of what is longer along the edge.
+  edge.byStretch = -blackSide * (scaled * (1.f + squared) - 3.f * bend);
 }
 
 // Black between two circles.
 void seeBand(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner, float perSigma,
-             const Lanes &perGradient, SumLanes &band)
+             const CurvatureLanes &curvature, SumLanes &band)
 {
   band.value = outer.normal.cumulative + inner.normal.cumulative - 1.f;
   const Lanes byRadius = outer.normal.density * outer.byRadius + inner.normal.density * inner.byRadius;
@@ -117,7 +132,10 @@ void seeBand(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner
   band.byY = byRadius * p.outY;
   band.bySigma = outer.normal.density * outer.bySigma + inner.normal.density * inner.bySigma;
   band.byGrowth = perSigma * (outer.normal.density + inner.normal.density);
-  band.bySpread = perGradient * band.byGrowth;
+  band.bySpread = curvature.perGradient * band.byGrowth;
+  const Lanes byStretch = outer.normal.density * outer.byStretch + inner.normal.density * inner.byStretch;
+  band.byElongation[0] = byStretch * curvature.stretched[0];
+  band.byElongation[1] = byStretch * curvature.stretched[1];
 }
 
 // Probability of both sides of two edges less the product of the probabilities, and its derivatives.
@@ -183,7 +201,7 @@ int cornerTermsFor(double rho)
 
 ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
                        const PixelBlocks &blocks)
-    : m_homography(plane, blocks.reference)
+    : m_homography(plane, blocks.reference, blur.shape())
 {
   const Eigen::Vector3d c = -plane.rotation.transpose() * plane.center / plane.radius;
   m_cx = static_cast<float>(c.x());
@@ -207,9 +225,11 @@ ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, c
 }
 
 // One border between sectors, and its corners with the track's rims.
-void ImageModel::seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner, const Lanes &acrossX,
-                           const Lanes &acrossY, const Lanes &change, SumLanes &code, SumLanes &corners) const
+void ImageModel::seeBorder(const PlaneLanes &p, const TrackLanes &track, const Lanes &acrossX, const Lanes &acrossY,
+                           const Lanes &change, SumLanes &code, SumLanes &corners) const
 {
+  const EdgeLanes &outer = track.outer;
+  const EdgeLanes &inner = track.inner;
   const float perSigma = 1.f / m_sigma;
   const Lanes gu = p.qxByU * acrossX + p.qyByU * acrossY;
   const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
@@ -229,6 +249,11 @@ void ImageModel::seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const Ed
   const Lanes byGrowth = slope * change;
   code.byGrowth += byGrowth;
   code.bySpread += byGrowth * perGradient;
+  Lanes stretched[2];
+  stretchOf(gu, gv, perGradient, stretched);
+  for (std::size_t k = 0; k < 2; ++k) {
+    code.byElongation[k] -= change * normal.density * distance * stretched[k];
+  }
   const Lanes isEdge = change * change;
   const Lanes density = isEdge * normal.density;
   if ((density * (outer.normal.density + inner.normal.density)).maxCoeff() < leastCorner) {
@@ -250,6 +275,10 @@ void ImageModel::seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const Ed
     corners.bySigma += corner.byB * rim.bySigma - perSigma * corner.byA * a;
     corners.byGrowth += perSigma * (corner.byA + corner.byB);
     corners.bySpread += perSigma * (corner.byA * perGradient + corner.byB / p.gradient);
+    for (std::size_t k = 0; k < 2; ++k) {
+      corners.byElongation[k] +=
+          corner.byB * rim.byStretch * track.stretched[k] - corner.byA * change * distance * stretched[k];
+    }
   };
   meet(outer, -rho);
   meet(inner, rho);
@@ -268,22 +297,23 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
     EdgeLanes outer, inner;
     seeCircle(p, curvature, m_ring[0], 1.f, m_sigma, growth, outer);
     seeCircle(p, curvature, m_ring[1], -1.f, m_sigma, growth, inner);
-    seeBand(p, outer, inner, 1.f / m_sigma, curvature.perGradient, total);
+    seeBand(p, outer, inner, 1.f / m_sigma, curvature, total);
   }
   if (sight != PixelSight::RING) {
-    EdgeLanes outer, inner;
+    TrackLanes track;
     SumLanes band, code;
-    seeCircle(p, curvature, m_track[0], 1.f, m_sigma, growth, outer);
-    seeCircle(p, curvature, m_track[1], -1.f, m_sigma, growth, inner);
-    seeBand(p, outer, inner, 1.f / m_sigma, curvature.perGradient, band);
+    seeCircle(p, curvature, m_track[0], 1.f, m_sigma, growth, track.outer);
+    seeCircle(p, curvature, m_track[1], -1.f, m_sigma, growth, track.inner);
+    seeBand(p, track.outer, track.inner, 1.f / m_sigma, curvature, band);
     SumLanes corners;
+    for (std::size_t k = 0; k < 2; ++k) {
+      track.stretched[k] = curvature.stretched[k];
+    }
     for (SumLanes *sum : {&code, &corners}) {
-      sum->value.setZero();
-      sum->byX.setZero();
-      sum->byY.setZero();
-      sum->bySigma.setZero();
-      sum->byGrowth.setZero();
-      sum->bySpread.setZero();
+      for (Lanes *lanes : {&sum->value, &sum->byX, &sum->byY, &sum->bySigma, &sum->byElongation[0],
+                           &sum->byElongation[1], &sum->byGrowth, &sum->bySpread}) {
+        lanes->setZero();
+      }
     }
     code.value = block.base;
     // The first border is the nearest one turned back by the sectors between them.
@@ -295,25 +325,38 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
       acrossX = turned;
     }
     for (int k = 0; k < borders; ++k) {
-      seeBorder(p, outer, inner, acrossX, acrossY, block.change[k + (mostBorders - borders) / 2], code, corners);
+      seeBorder(p, track, acrossX, acrossY, block.change[k + (mostBorders - borders) / 2], code, corners);
       if (k + 1 < borders) {
         const Lanes turned = m_cosSector * acrossX - m_sinSector * acrossY;
         acrossY = m_cosSector * acrossY + m_sinSector * acrossX;
         acrossX = turned;
       }
     }
-    const Lanes value = band.value * code.value + corners.value;
-    const Lanes byX = band.value * code.byX + code.value * band.byX + corners.byX;
-    const Lanes byY = band.value * code.byY + code.value * band.byY + corners.byY;
-    const Lanes bySigma = band.value * code.bySigma + code.value * band.bySigma + corners.bySigma;
-    const Lanes byGrowth = band.value * code.byGrowth + code.value * band.byGrowth + corners.byGrowth;
-    const Lanes bySpread = band.value * code.bySpread + code.value * band.bySpread + corners.bySpread;
+    SumLanes seen;
+    seen.value = band.value * code.value + corners.value;
+    const auto derivative = [&](const Lanes &byBand, const Lanes &byCode, const Lanes &byCorners) -> Lanes {
+      return band.value * byCode + code.value * byBand + byCorners;
+    };
+    seen.byX = derivative(band.byX, code.byX, corners.byX);
+    seen.byY = derivative(band.byY, code.byY, corners.byY);
+    seen.bySigma = derivative(band.bySigma, code.bySigma, corners.bySigma);
+    seen.byGrowth = derivative(band.byGrowth, code.byGrowth, corners.byGrowth);
+    seen.bySpread = derivative(band.bySpread, code.bySpread, corners.bySpread);
+    for (std::size_t k = 0; k < 2; ++k) {
+      seen.byElongation[k] = derivative(band.byElongation[k], code.byElongation[k], corners.byElongation[k]);
+    }
     if (sight == PixelSight::TRACK) {
-      total = {value, byX, byY, bySigma, byGrowth, bySpread};
+      total = seen;
     }
     else {
-      total = {total.value + value,     total.byX + byX,           total.byY + byY,
-               total.bySigma + bySigma, total.byGrowth + byGrowth, total.bySpread + bySpread};
+      total.value += seen.value;
+      total.byX += seen.byX;
+      total.byY += seen.byY;
+      total.bySigma += seen.bySigma;
+      total.byGrowth += seen.byGrowth;
+      total.bySpread += seen.bySpread;
+      total.byElongation[0] += seen.byElongation[0];
+      total.byElongation[1] += seen.byElongation[1];
     }
   }
   const Lanes bySlope = (total.byX * (p.qx - m_cx) + total.byY * (p.qy - m_cy)) * m_perDepth;
@@ -325,6 +368,8 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
   darkness.byTwist[4] = -bySlope * p.qx;
   darkness.byTwist[5] = total.byX * p.qy - total.byY * p.qx;
   darkness.bySigma = total.bySigma;
+  darkness.byElongation[0] = total.byElongation[0];
+  darkness.byElongation[1] = total.byElongation[1];
   darkness.byGrowth = total.byGrowth;
   darkness.bySpread = total.bySpread;
 }
@@ -374,6 +419,7 @@ Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const Mar
     darkness.value = lanes.value[0];
     darkness.byPose << plane.rotation * translation / plane.radius, plane.rotation * turn;
     darkness.bySigma = lanes.bySigma[0];
+    darkness.byElongation << lanes.byElongation[0][0], lanes.byElongation[1][0];
     darkness.byGrowth = lanes.byGrowth[0];
     darkness.bySpread = lanes.bySpread[0];
   }

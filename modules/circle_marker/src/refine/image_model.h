@@ -24,6 +24,8 @@
   black that it sees near a straight edge at the signed distance d is \f$ \Phi(d/\sigma) \f$. Near a circle of image
   curvature \f$ \kappa \f$ the mean of the curve over the blur shifts by \f$ \kappa \sigma^2 / 2 \f$ toward its centre:
   \f[ D = \Phi\left(\frac{d - \kappa \sigma^2 / 2}{\sigma}\right). \f]
+  Where the camera or the marker moved, the blur is longer in one direction: all this then holds in coordinates of the
+  image in which it is round (BlurParameters::shape()).
   Where a circular and a radial edge of the code track meet, the two events are correlated by the angle between the
   edges in the image, \f$ \rho \f$, and their joint probability is the tetrachoric series
   \f[ \Phi_2(a, b; \rho) = \Phi(a) \Phi(b) + \varphi(a) \varphi(b) \left(\rho + \frac{\rho^2}{2} a b
@@ -51,6 +53,14 @@ struct EdgeLanes
   Lanes bend;         //!< What the edge bends away within the blur, in units of it; positive around black.
   Lanes byRadius;     //!< Derivative of the distance by the radius, in the plane.
   Lanes bySigma;      //!< By the blur, 1 / pixel.
+  Lanes byStretch;    //!< By the logarithm of the blur's stretch across the edge, when it shrinks along it as much.
+};
+
+/*! The code track's rims. */
+struct TrackLanes
+{
+  EdgeLanes outer, inner;
+  Lanes stretched[2]; //!< Stretch of the blur across them by each part of an elongation.
 };
 
 /*! What several edges make together. */
@@ -59,6 +69,7 @@ struct SumLanes
   Lanes value;
   Lanes byX, byY; //!< By the place in the plane
   Lanes bySigma;
+  Lanes byElongation[2];
   Lanes byGrowth;
   Lanes bySpread;
 };
@@ -67,10 +78,11 @@ struct SumLanes
 struct DarknessLanes
 {
   Lanes value;
-  Lanes byTwist[6]; //!< By the twist in the marker's frame: three translations in radii, three turns in rad.
-  Lanes bySigma;    //!< 1 / pixel.
-  Lanes byGrowth;   //!< 1 / pixel.
-  Lanes bySpread;   //!< 1 / radius.
+  Lanes byTwist[6];      //!< By the twist in the marker's frame: three translations in radii, three turns in rad.
+  Lanes bySigma;         //!< 1 / pixel.
+  Lanes byElongation[2]; //!< By a step of BlurParameters::elongate(), without what corners' angles do.
+  Lanes byGrowth;        //!< 1 / pixel.
+  Lanes bySpread;        //!< 1 / radius.
 };
 
 /*! The model at a pose. */
@@ -86,8 +98,8 @@ public:
 private:
   void evaluateParabolas(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const;
   template <PixelSight sight, int borders> void evaluateAs(const PixelBlock &block, DarknessLanes &darkness) const;
-  void seeBorder(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner, const Lanes &acrossX,
-                 const Lanes &acrossY, const Lanes &change, SumLanes &code, SumLanes &corners) const;
+  void seeBorder(const PlaneLanes &p, const TrackLanes &track, const Lanes &acrossX, const Lanes &acrossY,
+                 const Lanes &change, SumLanes &code, SumLanes &corners) const;
 
   PlaneHomography m_homography;
   float m_cx, m_cy, m_perDepth;   // camera's centre in the marker's frame, in radii; 1 / |c_z|
@@ -106,9 +118,10 @@ struct Darkness
   double value = 0.;
   //! By (t, w): the marker's centre moves by t (metres) and the marker turns about it by w (rad), in the camera frame.
   Eigen::Matrix<double, 6, 1> byPose = Eigen::Matrix<double, 6, 1>::Zero();
-  double bySigma = 0.;  //!< 1 / pixel.
-  double byGrowth = 0.; //!< 1 / pixel.
-  double bySpread = 0.; //!< 1 / radius.
+  double bySigma = 0.;                                    //!< 1 / pixel.
+  Eigen::Vector2d byElongation = Eigen::Vector2d::Zero(); //!< By a step of BlurParameters::elongate().
+  double byGrowth = 0.;                                   //!< 1 / pixel.
+  double bySpread = 0.;                                   //!< 1 / radius.
 };
 
 /*! Evaluates the model at one pixel. */

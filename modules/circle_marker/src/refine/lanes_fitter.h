@@ -30,7 +30,7 @@ class LanesFitter final : public Fitter
 {
 public:
   void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                    std::size_t count, const MarkerPattern &pattern, double blur, double most,
+                    std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur, double most,
                     std::vector<FitPixel> &pixels) override
   {
     CIRCLE_MARKER_LANES::selectPixels(I, camera, planes, count, pattern, blur, most, pixels);

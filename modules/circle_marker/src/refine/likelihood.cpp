@@ -36,6 +36,9 @@ constexpr double leastContrast = 0.5;
 constexpr double growthPrior = 0.3;
 // Ink spreads by some 0.1 mm, radii of markers are some 30 to 100 mm.
 constexpr double spreadPrior = 0.003;
+// Most pictures are not moved; those that are have blurs longer by any amount. So the prior of the elongation is
+// Cauchy's, with this scale: a tenth of a pixel of motion hardly shows.
+constexpr double elongationPrior = 0.03;
 // The paper mostly ends where it may, at a square or, less often, at a circle, or goes on in some directions.
 constexpr std::array<double, paperShapes> expectedSurround = {{0.25, 0.5}};
 constexpr double surroundPrior = 0.5;
@@ -262,7 +265,8 @@ double Likelihood::priorCost(const Photometry &photometry, double noise) const
 {
   const double u = m_settings.growth ? photometry.blur.growth / growthPrior : 0.;
   const double v = m_settings.growth ? photometry.blur.spread / spreadPrior : 0.;
-  double cost = u * u + v * v;
+  const double w = photometry.blur.elongation.squaredNorm() / (elongationPrior * elongationPrior);
+  double cost = u * u + v * v + 2. * std::log1p(w);
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     const double s = (photometry.surround[shape] - expectedSurround[shape]) / surroundPrior;
     cost += s * s;
@@ -281,6 +285,14 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
     equations.right[at] -= surroundWeight * (photometry.surround[shape] - expectedSurround[shape]);
   }
   equations.cost += priorCost(photometry, noise);
+  // Cauchy's prior as a normal one that becomes weaker with the elongation. Its width makes the step, and goes to the
+  // covariance.
+  const Eigen::Vector2d &elongation = photometry.blur.elongation;
+  const double elongationWeight = 2. * noise * noise / (elongationPrior * elongationPrior + elongation.squaredNorm());
+  for (int k = 0; k < 2; ++k) {
+    equations.matrix(elongationAt + k, elongationAt + k) += elongationWeight;
+    equations.right[elongationAt + k] -= elongationWeight * elongation[k];
+  }
   const auto hold = [&equations](int at) {
     equations.matrix.row(at).setZero();
     equations.matrix.col(at).setZero();

@@ -84,8 +84,10 @@ struct LineModel::Chord
 
 LineModel::LineModel(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
                      const ImageReference &reference)
-    : m_homography(plane, reference), m_ring{static_cast<float>(pattern.ring[0].radius),
-                                             pattern.ringEdges > 1 ? static_cast<float>(pattern.ring[1].radius) : 0.f},
+    : m_homography(plane, reference, blur.shape()), m_ring{static_cast<float>(pattern.ring[0].radius),
+                                                           pattern.ringEdges > 1
+                                                               ? static_cast<float>(pattern.ring[1].radius)
+                                                               : 0.f},
       m_track{static_cast<float>(pattern.track[0].radius), static_cast<float>(pattern.track[1].radius)},
       m_perSigma(static_cast<float>(1. / blur.sigma)), m_growth(static_cast<float>(blur.growth)),
       m_spread(static_cast<float>(blur.spread))

@@ -74,6 +74,7 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   photometry.lightGradient += step.segment<2>(gradientAt);
   photometry.contrast += step[contrastAt];
   photometry.blur.sigma = std::clamp(photometry.blur.sigma + step[sigmaAt], leastSigma, mostSigma);
+  photometry.blur.elongate(step.segment<2>(elongationAt));
   photometry.blur.growth += step[growthAt];
   photometry.blur.spread += step[spreadAt];
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {

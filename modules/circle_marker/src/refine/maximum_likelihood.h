@@ -44,16 +44,17 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 // Places of the parameters in vectors and matrices: twist of the pose (image_model.h), light and its gradient,
-// contrast, blur, growth, spread, share of the surround for each shape of the paper.
+// contrast, blur, its elongation, growth, spread, share of the surround for each shape of the paper.
 constexpr int poseSize = 6;
 constexpr int spinAt = 5;
 constexpr int lightAt = 6;
 constexpr int gradientAt = 7;
 constexpr int contrastAt = 9;
 constexpr int sigmaAt = 10;
-constexpr int growthAt = 11;
-constexpr int spreadAt = 12;
-constexpr int surroundAt = 13;
+constexpr int elongationAt = 11;
+constexpr int growthAt = 13;
+constexpr int spreadAt = 14;
+constexpr int surroundAt = 15;
 constexpr int parameters = surroundAt + static_cast<int>(paperShapes);
 using ParameterVector = Eigen::Matrix<double, parameters, 1>;
 using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;

@@ -41,11 +41,13 @@ constexpr double leastInliers = 0.5;
 // Two fits closer than this, in standard deviations, are one pose.
 constexpr double samePose = 0.3;
 
-// Blur of a sharp picture, lens 0.75 and pixel area 0.29, pixels; and the bounds of the blur that sets the width of
-// the band of pixels around an edge.
-constexpr double commonBlur = 0.8;
+// Bounds of the blur that sets the width of the band of pixels around an edge, pixels, and of its elongation: motion
+// of 12 pixels makes a sharp picture's blur 4.5 times as long as wide.
 constexpr double leastBlur = 0.6;
 constexpr double mostBlur = 6.;
+constexpr double mostElongation = 0.75;
+// Pixels that were chosen for a blur narrower than the present one by this factor in any direction do not show it.
+constexpr double muchWider = 1.5;
 // All pixels are used up to a marker of some 500 pixels diameter: every pixel that is left out is information lost.
 constexpr double manyPixels = 20000.;
 // Last step of the coarse fit, in standard deviations, and its steps at most: a pose that fits badly creeps.
@@ -77,6 +79,16 @@ MarkerPlane turnedTo(const MarkerPlane &plane, const Eigen::Vector3d &normal)
   turned.rotation =
       Eigen::Quaterniond::FromTwoVectors(plane.rotation.col(2), normal).toRotationMatrix() * plane.rotation;
   return turned;
+}
+
+// The blur by which pixels are chosen.
+BlurParameters boundedBlur(const BlurParameters &fitted)
+{
+  BlurParameters blur;
+  blur.sigma = std::clamp(fitted.sigma, leastBlur, mostBlur);
+  const double size = fitted.elongation.norm();
+  blur.elongation = fitted.elongation * std::min(1., mostElongation / std::max(size, 1e-12));
+  return blur;
 }
 
 // Size of a pixel at the marker's centre, normalised coordinates.
@@ -185,8 +197,9 @@ RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &came
   RankedFits ranked;
   std::vector<MarkerPlane> around(marker.poses.begin(), marker.poses.end());
   std::vector<FitStart> starts = startsOf(marker.poses, camera, settings.spinIsKnown);
+  BlurParameters blur; // of a sharp picture
   for (int look = 0; look < mostLooks; ++look) {
-    selectFewPixels(I, camera, around.data(), around.size(), pattern, commonBlur, memory.pixels);
+    selectFewPixels(I, camera, around.data(), around.size(), pattern, blur, memory.pixels);
     dropCovered(marker, memory.pixels);
     std::vector<FittedPose> fits = fitAll(memory.pixels, starts, pattern, settings, *memory.fitter);
     if (fits.empty()) {
@@ -199,14 +212,17 @@ RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &came
     const auto isNear = [&](const MarkerPlane &looked) {
       return outlineMotion(looked, best) < farOff * meterPerPixelAt(best, camera);
     };
-    if (std::any_of(around.begin(), around.end(), isNear)) {
+    const BlurParameters fitted = boundedBlur(fits[0].photometry.blur);
+    const bool isWide = fitted.widest() > muchWider * blur.widest();
+    if (!isWide && std::any_of(around.begin(), around.end(), isNear)) {
       break;
     }
+    blur = fitted;
     around.clear();
     starts.clear();
     for (const FittedPose &fit : fits) {
       around.push_back(fit.plane);
-      starts.push_back({fit.plane, std::nullopt, std::nullopt});
+      starts.push_back({fit.plane, isWide ? std::optional<Photometry>(fit.photometry) : std::nullopt, std::nullopt});
     }
   }
   return ranked;
@@ -259,7 +275,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
       PaperEnd &square = pattern.paper[static_cast<std::size_t>(PaperShape::SQUARE)];
       square.angle = squareAngleOf(I, camera, planes[0], square.extent);
     }
-    const double blur = std::clamp(fits[0].photometry.blur.sigma, leastBlur, mostBlur);
+    const BlurParameters blur = boundedBlur(fits[0].photometry.blur);
     memory.fitter->selectPixels(I, camera, planes.data(), fits.size(), pattern, blur, manyPixels, memory.pixels);
     dropCovered(marker, memory.pixels);
     std::vector<FitStart> starts;

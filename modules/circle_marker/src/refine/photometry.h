@@ -19,6 +19,7 @@
 #define VP_CIRCLE_MARKER_PHOTOMETRY_H
 
 #include <array>
+#include <cmath>
 
 #include <Eigen/Core>
 
@@ -26,10 +27,24 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! How the camera and the ink soften and shift edges. */
+/*!
+  How the camera, its motion and the ink soften and shift edges. The blur is taken for a Gaussian of covariance
+  sigma^2 S^2 pixels^2, with S = exp((a, b; b, -a)) for the elongation (a, b): motion makes it longer in one direction.
+*/
 struct BlurParameters
 {
-  double sigma = 0.8; //!< Standard deviation of lens blur and pixel area together, pixels.
+  /*! The matrix S, of determinant 1: S^-1 of an image whose blur is elongated has round blur. */
+  Eigen::Matrix2d shape() const;
+
+  /*! Makes it longer by a small elongation that is given in the coordinates in which the blur is round. */
+  void elongate(const Eigen::Vector2d &step);
+
+  /*! Standard deviation in the direction where it is largest, pixels. */
+  double widest() const { return sigma * std::exp(elongation.norm()); }
+
+  double sigma =
+      0.8; //!< Standard deviation of lens blur and pixel area together, geometric mean over directions, pixels.
+  Eigen::Vector2d elongation = Eigen::Vector2d::Zero(); //!< (a, b) above.
   double growth = 0.; //!< Distance by which every black region looks larger than designed, pixels: the camera's gamma.
   double spread = 0.; //!< And by which it is printed larger, outer radii: the ink's spread.
 };

@@ -166,7 +166,8 @@ public:
   Packer(const MarkerPlane &plane, const MarkerPattern &pattern, const Photometry &photometry, double noise,
          PixelBlocks &blocks)
       : m_pattern(pattern), m_photometry(photometry), m_noise(noise), m_blocks(blocks),
-        m_homography(plane, blocks.reference), m_table(pattern, blocks.borders), m_empty(emptyBlock())
+        m_homography(plane, blocks.reference, photometry.blur.shape()), m_table(pattern, blocks.borders),
+        m_empty(emptyBlock())
   {
   }
 
@@ -316,8 +317,10 @@ void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, c
   }
   const FitPixel &middle = pixels[pixels.size() / 2];
   blocks.reference = {middle.model.meter, std::sqrt(std::abs(middle.model.meterPerPixel.determinant()))};
-  const double seen = reachOfEdges * photometry.blur.sigma + poseErrorOfSorting; // pixels
-  blocks.borders = pattern.sectors > 0 ? bordersSeen(plane, pattern, blocks.reference.unit, seen) : 0;
+  // Pixels, in coordinates in which the blur is round: there lengths are larger by this factor at most.
+  const double longer = photometry.blur.widest() / photometry.blur.sigma;
+  const double seen = reachOfEdges * photometry.blur.sigma + longer * poseErrorOfSorting;
+  blocks.borders = pattern.sectors > 0 ? bordersSeen(plane, pattern, blocks.reference.unit, longer * seen) : 0;
   Packer packer(plane, pattern, photometry, noise, blocks);
   sortPixels(pixels, pattern, seen, packer, blocks);
   for (const unsigned int k : blocks.sortedPixels) {

@@ -20,7 +20,10 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
-PlaneHomography::PlaneHomography(const MarkerPlane &plane, const ImageReference &reference)
+PlaneHomography::PlaneHomography(const MarkerPlane &plane, const ImageReference &reference,
+                                 const Eigen::Matrix2d &blurShape)
+    : m_suu(static_cast<float>(blurShape(0, 0))), m_suv(static_cast<float>(blurShape(0, 1))),
+      m_svv(static_cast<float>(blurShape(1, 1)))
 {
   // The camera's centre and the ray m = (x, y, 1) in the marker's frame meet its plane at
   // q = (c_x n - c_z e_x, c_y n - c_z e_y) m / (n m), with the frame's axes e_x, e_y, n in that of the camera.

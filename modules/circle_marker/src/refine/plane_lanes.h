@@ -48,7 +48,7 @@ struct PlaceLanes
 struct PlaneLanes
 {
   Lanes qx, qy;                     //!< Place.
-  Lanes qxByU, qxByV, qyByU, qyByV; //!< Derivatives by the pixel.
+  Lanes qxByU, qxByV, qyByU, qyByV; //!< Derivatives by the pixel, where the blur is round.
   Lanes radius;                     //!< Distance from the centre.
   Lanes outX, outY;                 //!< Unit vector away from the centre.
   Lanes gradientU, gradientV;       //!< Derivative of the radius by the pixel.
@@ -61,11 +61,14 @@ struct DirectionLanes
   Lanes x, y, w;
 };
 
-/*! The way from the image to the plane at a pose: a homography, q = (A p + b) / (1 + w p). */
+/*!
+  The way from the image to the plane at a pose: a homography, q = (A p + b) / (1 + w p). Derivatives by the pixel are
+  taken in coordinates in which the blur is round: by the columns of the matrix BlurParameters::shape() in the image's.
+*/
 class PlaneHomography
 {
 public:
-  PlaneHomography(const MarkerPlane &plane, const ImageReference &reference);
+  PlaneHomography(const MarkerPlane &plane, const ImageReference &reference, const Eigen::Matrix2d &blurShape);
 
   /*! Where pixels are seen on the plane. */
   void apply(const PlaceLanes &place, PlaneLanes &point) const
@@ -77,10 +80,14 @@ public:
     const Lanes qxByY = (m_axy - m_wy * point.qx) * perSlope;
     const Lanes qyByX = (m_ayx - m_wx * point.qy) * perSlope;
     const Lanes qyByY = (m_ayy - m_wy * point.qy) * perSlope;
-    point.qxByU = qxByX * place.xByU + qxByY * place.yByU;
-    point.qxByV = qxByX * place.xByV + qxByY * place.yByV;
-    point.qyByU = qyByX * place.xByU + qyByY * place.yByU;
-    point.qyByV = qyByX * place.xByV + qyByY * place.yByV;
+    const Lanes qxByU = qxByX * place.xByU + qxByY * place.yByU;
+    const Lanes qxByV = qxByX * place.xByV + qxByY * place.yByV;
+    const Lanes qyByU = qyByX * place.xByU + qyByY * place.yByU;
+    const Lanes qyByV = qyByX * place.xByV + qyByY * place.yByV;
+    point.qxByU = m_suu * qxByU + m_suv * qxByV;
+    point.qxByV = m_suv * qxByU + m_svv * qxByV;
+    point.qyByU = m_suu * qyByU + m_suv * qyByV;
+    point.qyByV = m_suv * qyByU + m_svv * qyByV;
     // At the very centre the direction does not matter: no edge is near.
     point.radius = (point.qx * point.qx + point.qy * point.qy).max(1e-12f).sqrt();
     const Lanes perRadius = point.radius.inverse();
@@ -91,17 +98,20 @@ public:
     point.gradient = (point.gradientU * point.gradientU + point.gradientV * point.gradientV).sqrt();
   }
 
-  /*! Steps of (u, v) pixels from places, on straight lines. */
+  /*! Steps of (u, v) pixels from places, on straight lines, in the coordinates in which the blur is round. */
   DirectionLanes along(const PlaceLanes &place, const Lanes &u, const Lanes &v) const
   {
     const Lanes perSlope = (1.f + m_wx * place.x + m_wy * place.y).inverse();
-    const Lanes x = (place.xByU * u + place.xByV * v) * perSlope;
-    const Lanes y = (place.yByU * u + place.yByV * v) * perSlope;
+    const Lanes alongU = m_suu * u + m_suv * v;
+    const Lanes alongV = m_suv * u + m_svv * v;
+    const Lanes x = (place.xByU * alongU + place.xByV * alongV) * perSlope;
+    const Lanes y = (place.yByU * alongU + place.yByV * alongV) * perSlope;
     return {m_axx * x + m_axy * y, m_ayx * x + m_ayy * y, m_wx * x + m_wy * y};
   }
 
 private:
   float m_axx, m_axy, m_ayx, m_ayy, m_bx, m_by, m_wx, m_wy;
+  float m_suu, m_suv, m_svv; // of the blur's shape
 };
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

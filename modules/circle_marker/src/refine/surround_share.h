@@ -44,11 +44,12 @@ class SurroundShare
 {
 public:
   SurroundShare(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                std::size_t count, const PaperEnds &papers, double blur)
-      : m_planes(planes), m_count(count), m_outermost(papers[0].extent), m_blur(blur), m_papers(papers)
+                std::size_t count, const PaperEnds &papers, const BlurParameters &blur)
+      : m_planes(planes), m_count(count), m_outermost(papers[0].extent), m_blur(blur.sigma), m_blurShape(blur.shape()),
+        m_papers(papers)
   {
     for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-      m_surrounds[shape] = surroundOf(I, camera, planes[0], m_papers[shape], blur);
+      m_surrounds[shape] = surroundOf(I, camera, planes[0], m_papers[shape], blur.widest());
     }
   }
 
@@ -59,7 +60,7 @@ public:
       return true;
     }
     for (std::size_t i = 0; i < m_count; ++i) {
-      const PlanePoint point = planePoint(pixel.model, m_planes[i]);
+      const PlanePoint point = planePoint({pixel.model.meter, pixel.model.meterPerPixel * m_blurShape}, m_planes[i]);
       if (point.q.norm() < m_outermost - clearOfSurround * m_blur * point.byPixel.norm()) {
         continue;
       }
@@ -86,8 +87,9 @@ public:
     m_isNear = false;
     for (std::size_t i = 0; i < m_count; ++i) {
       const PlanePoint point = planePoint(center, m_planes[i]);
-      m_isNear =
-          m_isNear || point.q.norm() > m_outermost - (clearOfSurround * m_blur + tileRadius) * point.byPixel.norm();
+      const double reach =
+          clearOfSurround * m_blur * (point.byPixel * m_blurShape).norm() + tileRadius * point.byPixel.norm();
+      m_isNear = m_isNear || point.q.norm() > m_outermost - reach;
     }
   }
 
@@ -96,7 +98,8 @@ private:
   const MarkerPlane *m_planes;
   const std::size_t m_count;
   const double m_outermost;
-  const double m_blur;
+  const double m_blur; // pixels, in the coordinates where it is round
+  const Eigen::Matrix2d m_blurShape;
   const PaperEnds &m_papers;
   std::array<Surround, paperShapes> m_surrounds;
 };

@@ -42,7 +42,11 @@ constexpr double narrowSector = 3.;
 struct Tile
 {
   PlanePoint center;
-  Eigen::Matrix2d metric; // of the plane in the image: a direction o of the plane has the gradient sqrt(o' metric o)
+  // Of the plane in the image's coordinates where the blur is round: a direction o of the plane has the gradient
+  // sqrt(o' metric o).
+  Eigen::Matrix2d metric;
+  double mostGradient = 0.;               // of any direction, in those coordinates
+  double reach = 0.;                      // how far from the tile's centre an edge may be that it sees, on the plane
   std::array<Eigen::Vector2f, 3> borders; // unit vectors across edges between sectors, divided by their gradient
   int bordersSeen = 0;
   bool everySector = false; // sectors are so narrow that there is no need to look for their borders
@@ -52,8 +56,9 @@ struct Tile
 class TileView
 {
 public:
-  TileView(const MarkerPlane &plane, const MarkerPattern &pattern, double band)
-      : m_plane(plane), m_pattern(pattern), m_band(band)
+  // band: how far a pixel may be from an edge, pixels, in the coordinates where the blur is round.
+  TileView(const MarkerPlane &plane, const MarkerPattern &pattern, double band, const Eigen::Matrix2d &blurShape)
+      : m_plane(plane), m_pattern(pattern), m_band(band), m_blurShape(blurShape)
   {
   }
 
@@ -61,10 +66,13 @@ public:
   bool enter(const ModelPixel &center)
   {
     m_tile.center = planePoint(center, m_plane);
-    m_tile.metric = m_tile.center.byPixel * m_tile.center.byPixel.transpose();
+    const Eigen::Matrix2d byRound = m_tile.center.byPixel * m_blurShape;
+    m_tile.metric = byRound * byRound.transpose();
+    m_tile.mostGradient = byRound.norm();
+    m_tile.reach = m_band * m_tile.mostGradient + tileRadius * m_tile.center.byPixel.norm();
     const double radius = m_tile.center.q.norm();
     // However the tile lies, the radius changes by no more than this to its corners.
-    const double change = (m_band + tileRadius) * std::sqrt(m_tile.metric.trace());
+    const double change = m_tile.reach;
     bool isNear = false;
     for (unsigned int i = 0; i < m_pattern.ringEdges; ++i) {
       isNear = isNear || std::abs(radius - m_pattern.ring[i].radius) < change;
@@ -123,9 +131,8 @@ private:
   bool seeBorders(double radius)
   {
     const double sectorAngle = 2. * M_PI / m_pattern.sectors;
-    const double perPixel = std::sqrt(m_tile.metric.trace());
-    m_tile.everySector = sectorAngle * m_pattern.track[0].radius < narrowSector * m_band * perPixel ||
-                         (m_band + tileRadius) * perPixel > sectorAngle * radius;
+    m_tile.everySector = sectorAngle * m_pattern.track[0].radius < narrowSector * m_band * m_tile.mostGradient ||
+                         m_tile.reach > sectorAngle * radius;
     m_tile.bordersSeen = 0;
     if (m_tile.everySector) {
       return true;
@@ -136,8 +143,9 @@ private:
         continue;
       }
       const Eigen::Vector2d &across = m_pattern.acrossBorder(border);
-      const double gradient = (m_tile.center.byPixel.transpose() * across).norm();
-      if (std::abs(across.dot(m_tile.center.q)) < (m_band + tileRadius) * gradient) {
+      const double gradient = std::sqrt(across.dot(m_tile.metric * across));
+      const double perPixel = (m_tile.center.byPixel.transpose() * across).norm();
+      if (std::abs(across.dot(m_tile.center.q)) < m_band * gradient + tileRadius * perPixel) {
         m_tile.borders[static_cast<std::size_t>(m_tile.bordersSeen++)] = (across / gradient).cast<float>();
       }
     }
@@ -147,6 +155,7 @@ private:
   const MarkerPlane &m_plane;
   const MarkerPattern &m_pattern;
   const double m_band; // pixels
+  const Eigen::Matrix2d m_blurShape;
   Tile m_tile;
 };
 } // namespace CIRCLE_MARKER_LANES

@@ -1,0 +1,53 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Light, contrast and blur of a marker's image.
+ */
+
+#include "refine/photometry.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// exp((a, b; b, -a)): its square is a^2 + b^2 times the unit matrix.
+Eigen::Matrix2d exponential(const Eigen::Vector2d &elongation)
+{
+  const double size = elongation.norm();
+  const double share = size > 1e-9 ? std::sinh(size) / size : 1.;
+  Eigen::Matrix2d matrix;
+  matrix << elongation.x(), elongation.y(), elongation.y(), -elongation.x();
+  return std::cosh(size) * Eigen::Matrix2d::Identity() + share * matrix;
+}
+
+// The inverse of that, of a symmetric matrix of determinant 1.
+Eigen::Vector2d logarithm(const Eigen::Matrix2d &matrix)
+{
+  const Eigen::Vector2d part(0.5 * (matrix(0, 0) - matrix(1, 1)), matrix(0, 1)); // sinh(size) times the direction
+  const double sine = part.norm();
+  return sine > 1e-9 ? Eigen::Vector2d(std::asinh(sine) / sine * part) : part;
+}
+} // namespace
+
+Eigen::Matrix2d BlurParameters::shape() const
+{
+  return exponential(elongation);
+}
+
+void BlurParameters::elongate(const Eigen::Vector2d &step)
+{
+  const Eigen::Matrix2d before = shape();
+  elongation = 0.5 * logarithm(before * exponential(2. * step) * before);
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

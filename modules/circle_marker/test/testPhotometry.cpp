@@ -1,0 +1,62 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Test of the blur's shape.
+ */
+
+#include "refine/photometry.h"
+
+#include <gtest/gtest.h>
+
+#include "testRoomTools.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+TEST(Photometry, BlurIsLongerInTheDirectionOfTheMotion)
+{
+  // Twice as long as the mean along v, half as long along u.
+  BlurParameters blur;
+  blur.sigma = 0.9;
+  blur.elongation = Eigen::Vector2d(-std::log(2.), 0.);
+  EXPECT_LT((blur.shape() - Eigen::Vector2d(0.5, 2.).asDiagonal().toDenseMatrix()).norm(), 1e-12);
+  EXPECT_NEAR(blur.widest(), 1.8, 1e-12);
+  // And along the diagonal.
+  blur.elongation = Eigen::Vector2d(0., std::log(2.));
+  const Eigen::Vector2d diagonal = Eigen::Vector2d(1., 1.).normalized();
+  EXPECT_LT((blur.shape() * diagonal - 2. * diagonal).norm(), 1e-12);
+}
+
+TEST(Photometry, ElongationsAddUpAsCovariancesDo)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 200; ++i) {
+    BlurParameters blur;
+    blur.elongation =
+        i == 0 ? Eigen::Vector2d::Zero().eval() : Eigen::Vector2d(uniform(random, -1., 1.), uniform(random, -1., 1.));
+    const Eigen::Vector2d step(uniform(random, -0.3, 0.3), uniform(random, -0.3, 0.3));
+    const Eigen::Matrix2d before = blur.shape();
+    EXPECT_NEAR(before.determinant(), 1., 1e-12);
+    // exp(2 A) by scaling and squaring.
+    Eigen::Matrix2d change;
+    change << step.x(), step.y(), step.y(), -step.x();
+    Eigen::Matrix2d power = Eigen::Matrix2d::Identity() + change / 512. + 0.5 * change * change / (512. * 512.);
+    for (int k = 0; k < 10; ++k) {
+      power = (power * power).eval();
+    }
+    blur.elongate(step);
+    EXPECT_LT((blur.shape() * blur.shape() - before * power * before).norm(), 1e-4 * before.squaredNorm());
+    EXPECT_NEAR(blur.shape().determinant(), 1., 1e-12);
+  }
+}
