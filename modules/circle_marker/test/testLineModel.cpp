@@ -55,7 +55,7 @@ struct Case
         pixels.push_back(pixel);
       }
     }
-    packPixels(pixels, plane, pattern, photometry, 0., blocks);
+    packPixels(pixels, plane, pattern, photometry, 0., 1., blocks);
   }
 
   //! Calls use(sight, block, lanes with a pixel).

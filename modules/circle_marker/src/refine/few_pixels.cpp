@@ -32,8 +32,10 @@ constexpr int rowsOfBorder = 2;
 // A row's pixels lie up to this many standard deviations of the blur to either side of the edge.
 constexpr int pixelsOfRow = 5;
 constexpr double reach = 2.6;
-// A pixel that may see more than this share of the surround, of which nothing is known here, is left out.
+// A pixel that may see more than this share of the surround, of which nothing is known here, is left out; less than the
+// other is nothing.
 constexpr double mostSurround = 0.02;
+constexpr double leastSurround = 0.001;
 
 // Puts the rows of one hypothesis.
 class Rows
@@ -78,6 +80,9 @@ private:
     beyond.share = NormalDistribution::instance().at((radius - m_outermost) / (gradient * m_blur)).cumulative;
     if (beyond.share > mostSurround) {
       return;
+    }
+    if (beyond.share < leastSurround) {
+      beyond = BeyondPaper();
     }
     pixel.offset = (where - m_center) / m_size;
     pixel.grey = m_image[static_cast<unsigned int>(where.y())][static_cast<unsigned int>(where.x())];

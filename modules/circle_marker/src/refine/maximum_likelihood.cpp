@@ -50,9 +50,11 @@ constexpr double biweightStep = 0.915 / 0.762;
 // What a step leaves of the way: by the chance of the weights this share, and by the bend of the edges' profiles as
 // much as it moves them, in units of their blur.
 constexpr double stepError = 0.2;
-// The pixels are sorted again by what they see when the pose has moved by this much, pixels: half of what the sorting
-// leaves room for.
+// The pixels are sorted again by what they see when the pose has moved by this share of what the sorting leaves room
+// for.
 constexpr double sortAgain = 0.5;
+// Or when the blur has become wider by this factor.
+constexpr double muchWider = 1.2;
 // The correction of strong bends is made again at the end if pose or blur have changed by more than this, pixels: it
 // has changed by no more than a few hundredths of itself by then.
 constexpr double correctAgain = 0.1;
@@ -110,18 +112,30 @@ Eigen::Matrix<double, 6, 6> inCameraFrame(const Eigen::Matrix<double, 6, 6> &cov
   return change * covariance * change.transpose();
 }
 // The pixels as they are prepared for a fit: sorted by what they see, strong bends corrected, the surround judged. All
-// that depends on the pose and the light, but little.
+// that depends on the pose, the blur and the light, but little.
 class Preparation
 {
 public:
-  Preparation(const std::vector<FitPixel> &pixels, Likelihood &fit, const FitMemory &memory)
-      : m_pixels(pixels), m_fit(fit), m_memory(memory)
+  Preparation(const std::vector<FitPixel> &pixels, const FitSettings &settings, Likelihood &fit,
+              const FitMemory &memory)
+      : m_pixels(pixels), m_sortAgain(sortAgain * settings.poseError), m_fit(fit), m_memory(memory)
   {
+  }
+
+  // Only sorts, for what comes before light and noise are known.
+  void sort(const MarkerPlane &plane, const Photometry &photometry, double noise)
+  {
+    m_fit.setPixels(m_pixels, plane, photometry, noise);
+    m_sorted = plane;
+    m_sortedBlur = photometry.blur.widest();
   }
 
   void prepare(const MarkerPlane &plane, const Photometry &photometry, double noise)
   {
-    m_fit.setPixels(m_pixels, plane, photometry, noise);
+    // The surround is judged with the light and the noise.
+    if (m_sortedBlur == 0. || m_memory.blocks.seesSurround || motion(m_sorted, plane) > 0. || isWider(photometry)) {
+      sort(plane, photometry, noise);
+    }
     m_isBent = m_fit.correct(plane, photometry);
     m_plane = plane;
     m_photometry = photometry;
@@ -130,29 +144,36 @@ public:
   // Whether pixels may see other edges by now, or other light.
   bool isStale(const MarkerPlane &plane, const Photometry &photometry) const
   {
-    return motion(plane) > sortAgain ||
-           std::abs(photometry.light - m_photometry.light) > judgeAgain * m_photometry.light;
+    return motion(m_sorted, plane) > m_sortAgain || isWider(photometry) ||
+           (m_memory.blocks.seesSurround &&
+            std::abs(photometry.light - m_photometry.light) > judgeAgain * m_photometry.light);
   }
 
   // Whether a fit that is done wants a better preparation for its last steps.
   bool isRough(const MarkerPlane &plane, const Photometry &photometry) const
   {
     const double uneven = photometry.unevenShare / m_photometry.unevenShare;
-    return (m_isBent && (motion(plane) > correctAgain ||
+    return (m_isBent && (motion(m_plane, plane) > correctAgain ||
                          std::abs(photometry.blur.sigma - m_photometry.blur.sigma) > correctAgain)) ||
-           std::max(uneven, 1. / uneven) > unevenAgain;
+           (m_memory.blocks.seesSurround && std::max(uneven, 1. / uneven) > unevenAgain);
   }
 
 private:
   // Pixels.
-  double motion(const MarkerPlane &plane) const
+  double motion(const MarkerPlane &from, const MarkerPlane &to) const
   {
-    return outlineMotion(m_plane, plane) / m_memory.blocks.reference.unit;
+    return outlineMotion(from, to) / m_memory.blocks.reference.unit;
   }
 
+  // Whether the blur reaches much farther than when the pixels were sorted.
+  bool isWider(const Photometry &photometry) const { return photometry.blur.widest() > muchWider * m_sortedBlur; }
+
   const std::vector<FitPixel> &m_pixels;
+  const double m_sortAgain; // pixels
   Likelihood &m_fit;
   const FitMemory &m_memory;
+  MarkerPlane m_sorted;
+  double m_sortedBlur = 0.; // pixels; 0 before
   MarkerPlane m_plane;
   Photometry m_photometry;
   bool m_isBent = false;
@@ -166,18 +187,18 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
     return std::nullopt;
   }
   Likelihood fit(pattern, settings, memory);
+  Preparation preparation(pixels, settings, fit, memory);
   FittedPose result;
   result.plane = start.plane;
   if (start.photometry) {
     result.photometry = *start.photometry;
   }
   else {
-    fit.setPixels(pixels, result.plane, result.photometry, 0.);
+    preparation.sort(result.plane, result.photometry, 0.);
     if (!fit.startPhotometry(result.plane, result.photometry)) {
       return std::nullopt;
     }
   }
-  Preparation preparation(pixels, fit, memory);
   preparation.prepare(result.plane, result.photometry, start.noise.value_or(0.));
   double noise = 0.;
   if (start.noise) {

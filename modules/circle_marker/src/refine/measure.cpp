@@ -50,6 +50,10 @@ constexpr double mostElongation = 0.75;
 constexpr double muchWider = 1.5;
 // All pixels are used up to a marker of some 500 pixels diameter: every pixel that is left out is information lost.
 constexpr double manyPixels = 20000.;
+// How far the first fits may go from the outlines, and the later ones from these, until their pixels are sorted anew,
+// pixels.
+constexpr double coarseError = 2.;
+constexpr double fineError = 0.6;
 // Last step of the coarse fit, in standard deviations, and its steps at most: a pose that fits badly creeps.
 constexpr double coarseConvergence = 0.5;
 constexpr int coarseIterations = 6;
@@ -243,11 +247,13 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   MarkerPattern pattern = patternOf(marker.family, marker.code.id, marker.family.getLayout().ringInner);
   FitSettings settings;
   settings.spinIsKnown = pattern.sectors > 0;
+  settings.poseError = fineError;
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
 
   // All starts on few pixels, to know which are worth more and how wide the blur is.
   FitSettings coarse = settings;
   coarse.convergence = coarseConvergence;
+  coarse.poseError = coarseError;
   coarse.exactBends = false;
   coarse.mostIterations = refine ? coarseIterations : 0;
   RankedFits few = fitFewPixels(I, camera, marker, pattern, coarse, memory);

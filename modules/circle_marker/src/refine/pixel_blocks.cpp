@@ -28,10 +28,9 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 namespace {
-// An edge is seen up to this many standard deviations of the blur (3e-6 of the contrast), and the pose at which the
-// pixels are sorted may be off by this much, pixels.
-constexpr double reachOfEdges = 4.5;
-constexpr double poseErrorOfSorting = 1.;
+// An edge is seen up to this many standard deviations of the blur: beyond lie 5e-5 of the contrast, a tenth of what
+// rounding to grey levels leaves.
+constexpr double reachOfEdges = 3.9;
 
 // A block without pixels: harmless numbers that count nothing.
 PixelBlock emptyBlock()
@@ -230,6 +229,7 @@ private:
         PlanePoint there;
         there.q << point.qx[lane], point.qy[lane];
         there.byPixel << point.qxByU[lane], point.qxByV[lane], point.qyByU[lane], point.qyByV[lane];
+        m_blocks.seesSurround = true;
         putSurround(pixel, there, m_pattern.paper, m_photometry, m_noise, lane, block);
       }
     }
@@ -305,8 +305,9 @@ void sortPixels(const std::vector<FitPixel> &pixels, const MarkerPattern &patter
 } // namespace
 
 void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
-                const Photometry &photometry, double noise, PixelBlocks &blocks)
+                const Photometry &photometry, double noise, double poseError, PixelBlocks &blocks)
 {
+  blocks.seesSurround = false;
   for (std::size_t kind = 0; kind < pixelSights; ++kind) {
     blocks.bySight[kind].clear();
     blocks.direction[kind].clear();
@@ -319,7 +320,7 @@ void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, c
   blocks.reference = {middle.model.meter, std::sqrt(std::abs(middle.model.meterPerPixel.determinant()))};
   // Pixels, in coordinates in which the blur is round: there lengths are larger by this factor at most.
   const double longer = photometry.blur.widest() / photometry.blur.sigma;
-  const double seen = reachOfEdges * photometry.blur.sigma + longer * poseErrorOfSorting;
+  const double seen = reachOfEdges * photometry.blur.sigma + longer * poseError;
   blocks.borders = pattern.sectors > 0 ? bordersSeen(plane, pattern, blocks.reference.unit, longer * seen) : 0;
   Packer packer(plane, pattern, photometry, noise, blocks);
   sortPixels(pixels, pattern, seen, packer, blocks);

@@ -74,6 +74,7 @@ struct PixelBlocks
 {
   ImageReference reference;                                 //!< Origin and unit of the places.
   int borders = mostBorders;                                //!< Borders that a pixel may see: 1, 3 or 5.
+  bool seesSurround = false;                                //!< Whether any pixel may see what lies beyond the paper.
   std::array<std::vector<PixelBlock>, pixelSights> bySight; //!< Blocks of each kind.
   std::array<std::size_t, pixelSights> count = {{0, 0, 0}}; //!< Pixels of each kind.
   //! Direction from the marker's centre, below \e directions, of each block's first pixel: pixels come in its order.
@@ -92,10 +93,11 @@ struct PixelBlocks
   \param pattern : The print.
   \param photometry : Light and blur, roughly.
   \param noise : Standard deviation of a pixel's noise, grey levels; 0 if it is not known yet.
+  \param poseError : How far the pose may be off and the sorting still be right, pixels.
   \param blocks : The result; its memory is used again.
 */
 void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
-                const Photometry &photometry, double noise, PixelBlocks &blocks);
+                const Photometry &photometry, double noise, double poseError, PixelBlocks &blocks);
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
