@@ -72,19 +72,21 @@ private:
   void add(const Eigen::Vector2d &where, double gradient)
   {
     FitPixel pixel;
-    pixel.model = {m_camera.toMeter(where), m_camera.meterPerPixel(where)};
-    const double radius = m_plane.intersect(pixel.model.meter).norm();
+    const Eigen::Vector2d meter = m_camera.toMeter(where);
+    pixel.meter = meter.cast<float>();
+    pixel.meterPerPixel = m_camera.meterPerPixel(where).cast<float>();
+    const double radius = m_plane.intersect(meter).norm();
     // Nobody has looked there.
     BeyondPaper &beyond = pixel.beyond[static_cast<std::size_t>(PaperShape::ROUND)];
-    beyond.spread = HUGE_VAL;
-    beyond.share = NormalDistribution::instance().at((radius - m_outermost) / (gradient * m_blur)).cumulative;
-    if (beyond.share > mostSurround) {
+    const double share = NormalDistribution::instance().at((radius - m_outermost) / (gradient * m_blur)).cumulative;
+    if (share > mostSurround) {
       return;
     }
-    if (beyond.share < leastSurround) {
-      beyond = BeyondPaper();
+    if (share > leastSurround) {
+      beyond.share = static_cast<float>(share);
+      beyond.spread = HUGE_VALF;
     }
-    pixel.offset = (where - m_center) / m_size;
+    pixel.offset = ((where - m_center) / m_size).cast<float>();
     pixel.grey = m_image[static_cast<unsigned int>(where.y())][static_cast<unsigned int>(where.x())];
     m_pixels.push_back(pixel);
   }

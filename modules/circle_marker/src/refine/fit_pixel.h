@@ -36,21 +36,30 @@ struct ModelPixel
 /*! What a pixel sees of what lies beyond the paper. */
 struct BeyondPaper
 {
-  double share = 0.;  //!< Share of what it sees that may lie there, where anything may be.
-  double grey = 0.;   //!< Grey level seen farther out in that direction.
-  double spread = 0.; //!< And its standard deviation there: HUGE_VAL if nothing is seen.
+  float share = 0.f;  //!< Share of what it sees that may lie there, where anything may be.
+  float grey = 0.f;   //!< Grey level seen farther out in that direction.
+  float spread = 0.f; //!< And its standard deviation there: HUGE_VALF if nothing is seen.
 };
 
-/*! A pixel of the image with what the model needs of it. */
+/*!
+  A pixel of the image with what the model needs of it: in single precision, whose rounding is 1e-5 of a pixel, because
+  there are many.
+*/
 struct FitPixel
 {
-  ModelPixel model;
-  Eigen::Vector2d offset =
-      Eigen::Vector2d::Zero(); //!< From the marker's centre, in units of its image's size: for the light's gradient.
-  double grey = 0.;            //!< Measured grey level.
+  /*! Where it is. */
+  ModelPixel model() const { return {meter.cast<double>(), meterPerPixel.cast<double>()}; }
+
+  /*! Whether it may see anything that lies beyond the paper. */
+  bool seesSurround() const { return beyond[0].share > 0.f || beyond[1].share > 0.f; }
+
+  Eigen::Vector2f meter = Eigen::Vector2f::Zero();         //!< Normalised coordinates of its centre.
+  Eigen::Matrix2f meterPerPixel = Eigen::Matrix2f::Zero(); //!< Their derivative with respect to the pixel.
+  Eigen::Vector2f offset =
+      Eigen::Vector2f::Zero(); //!< From the marker's centre, in units of its image's size: for the light's gradient.
+  float grey = 0.f;            //!< Measured grey level.
   std::array<BeyondPaper, paperShapes> beyond{}; //!< What may lie beyond the paper, by its shape.
 };
-
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -109,11 +109,12 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   const auto add = [&](int u, int v, const Eigen::Matrix2d &meterPerPixel) {
     const Eigen::Vector2d where(u, v);
     FitPixel &pixel = pixels.emplace_back();
-    pixel.model.meter = camera.toMeter(where);
-    pixel.model.meterPerPixel = meterPerPixel;
-    pixel.offset = perSize * (where - center);
+    const ModelPixel model = {camera.toMeter(where), meterPerPixel};
+    pixel.meter = model.meter.cast<float>();
+    pixel.meterPerPixel = meterPerPixel.cast<float>();
+    pixel.offset = (perSize * (where - center)).cast<float>();
     pixel.grey = I[v][u];
-    if (!surround.complete(pixel)) {
+    if (!surround.complete(model, pixel)) {
       pixels.pop_back();
     }
   };

@@ -79,24 +79,30 @@ struct GreyLanes
   Lanes residual;
 };
 
-inline GreyLanes greyOf(const PixelBlock &block, const Photometry &photometry, const Lanes &darkness)
+// surround: what the block sees of it; nullptr if nothing.
+inline GreyLanes greyOf(const PixelBlock &block, const SurroundLanes *surround, const Photometry &photometry,
+                        const Lanes &darkness)
 {
   GreyLanes grey;
   grey.light = static_cast<float>(photometry.light) + static_cast<float>(photometry.lightGradient.x()) * block.offsetU +
                static_cast<float>(photometry.lightGradient.y()) * block.offsetV;
-  const Lanes around = static_cast<float>(photometry.surround[0]) * block.surround[0];
-  const Lanes beside = static_cast<float>(photometry.surround[1]) * block.surround[1];
-  grey.paper = 1.f - around - beside;
   grey.reflectance = 1.f - static_cast<float>(photometry.contrast) * darkness;
-  grey.residual = block.grey - grey.light * grey.reflectance - around * (block.beyond[0] - grey.light) -
-                  beside * (block.beyond[1] - grey.light);
+  grey.residual = block.grey - grey.light * grey.reflectance;
+  grey.paper.setOnes();
+  if (surround != nullptr) {
+    for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+      const Lanes share = static_cast<float>(photometry.surround[shape]) * surround->share[shape];
+      grey.paper -= share;
+      grey.residual -= share * (surround->beyond[shape] - grey.light);
+    }
+  }
   return grey;
 }
 // Derivatives of a block's grey levels by all parameters.
 using RowLanes = std::array<Lanes, parameters>;
 
-inline void rowOf(const PixelBlock &block, const Photometry &photometry, const DarknessLanes &darkness,
-                  const GreyLanes &grey, RowLanes &row)
+inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const Photometry &photometry,
+                  const DarknessLanes &darkness, const GreyLanes &grey, RowLanes &row)
 {
   const Lanes byDarkness = -static_cast<float>(photometry.contrast) * grey.light;
   for (std::size_t k = 0; k < poseSize; ++k) {
@@ -113,7 +119,12 @@ inline void rowOf(const PixelBlock &block, const Photometry &photometry, const D
   row[growthAt] = byDarkness * darkness.byGrowth;
   row[spreadAt] = byDarkness * darkness.bySpread;
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-    row[surroundAt + shape] = block.surround[shape] * (block.beyond[shape] - grey.light);
+    if (surround != nullptr) {
+      row[surroundAt + shape] = surround->share[shape] * (surround->beyond[shape] - grey.light);
+    }
+    else {
+      row[surroundAt + shape].setZero();
+    }
   }
 }
 } // namespace CIRCLE_MARKER_LANES

@@ -201,7 +201,7 @@ int cornerTermsFor(double rho)
 
 ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
                        const PixelBlocks &blocks)
-    : m_homography(plane, blocks.reference, blur.shape())
+    : m_blocks(blocks), m_homography(plane, blocks.reference, blur.shape())
 {
   const Eigen::Vector3d c = -plane.rotation.transpose() * plane.center / plane.radius;
   m_cx = static_cast<float>(c.x());
@@ -300,6 +300,7 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
     seeBand(p, outer, inner, 1.f / m_sigma, curvature, total);
   }
   if (sight != PixelSight::RING) {
+    const SectorLanes &sectors = m_blocks.sectors[block.sectors];
     TrackLanes track;
     SumLanes band, code;
     seeCircle(p, curvature, m_track[0], 1.f, m_sigma, growth, track.outer);
@@ -315,17 +316,17 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
         lanes->setZero();
       }
     }
-    code.value = block.base;
+    code.value = sectors.base;
     // The first border is the nearest one turned back by the sectors between them.
-    Lanes acrossX = block.acrossX;
-    Lanes acrossY = block.acrossY;
+    Lanes acrossX = sectors.acrossX;
+    Lanes acrossY = sectors.acrossY;
     for (int back = 0; back < borders / 2; ++back) {
       const Lanes turned = m_cosSector * acrossX + m_sinSector * acrossY;
       acrossY = m_cosSector * acrossY - m_sinSector * acrossX;
       acrossX = turned;
     }
     for (int k = 0; k < borders; ++k) {
-      seeBorder(p, track, acrossX, acrossY, block.change[k + (mostBorders - borders) / 2], code, corners);
+      seeBorder(p, track, acrossX, acrossY, sectors.change[k + (mostBorders - borders) / 2], code, corners);
       if (k + 1 < borders) {
         const Lanes turned = m_cosSector * acrossX - m_sinSector * acrossY;
         acrossY = m_cosSector * acrossY + m_sinSector * acrossX;
@@ -401,7 +402,8 @@ Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const Mar
                     const BlurParameters &blur)
 {
   FitPixel single;
-  single.model = pixel;
+  single.meter = pixel.meter.cast<float>();
+  single.meterPerPixel = pixel.meterPerPixel.cast<float>();
   Photometry photometry;
   photometry.blur = blur;
   PixelBlocks blocks;

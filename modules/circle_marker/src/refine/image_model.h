@@ -101,6 +101,7 @@ private:
   void seeBorder(const PlaneLanes &p, const TrackLanes &track, const Lanes &acrossX, const Lanes &acrossY,
                  const Lanes &change, SumLanes &code, SumLanes &corners) const;
 
+  const PixelBlocks &m_blocks;
   PlaneHomography m_homography;
   float m_cx, m_cy, m_perDepth;   // camera's centre in the marker's frame, in radii; 1 / |c_z|
   float m_ring[2];                // radii of the ring's edges; a disc's inner one is far below 0

@@ -199,17 +199,22 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
     const Lanes weight = guessedVariance / (guessedVariance + block.variance);
-    const Lanes around = static_cast<float>(photometry.surround[0]) * block.surround[0];
-    const Lanes beside = static_cast<float>(photometry.surround[1]) * block.surround[1];
-    const Lanes paper = 1.f - around - beside;
+    Lanes paper = Lanes::Ones();
+    Lanes print = block.grey;
+    if (const SurroundLanes *surround = m_memory.blocks.surroundOf(block)) {
+      for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+        const Lanes share = static_cast<float>(photometry.surround[shape]) * surround->share[shape];
+        paper -= share;
+        print -= share * surround->beyond[shape];
+      }
+    }
     const std::array<Lanes, 4> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness.value};
     for (int i = 0; i < 4; ++i) {
       const Lanes weighted = weight * row[static_cast<std::size_t>(i)];
       for (int j = 0; j < 4; ++j) {
         matrix(i, j) += static_cast<double>((weighted * row[static_cast<std::size_t>(j)]).sum());
       }
-      right[i] +=
-          static_cast<double>((weighted * (block.grey - around * block.beyond[0] - beside * block.beyond[1])).sum());
+      right[i] += static_cast<double>((weighted * print).sum());
     }
   });
   const Eigen::Vector4d solution = matrix.ldlt().solve(right);
@@ -232,13 +237,14 @@ Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &phot
   PixelSight last = PixelSight::RING;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
-    const GreyLanes grey = greyOf(block, photometry, darkness.value);
+    const SurroundLanes *surround = m_memory.blocks.surroundOf(block);
+    const GreyLanes grey = greyOf(block, surround, photometry, darkness.value);
     m_memory.trial.push_back(grey.residual);
     LossLanes loss = biweight(grey.residual, block.variance, static_cast<float>(noise));
     const Lanes holds = holdsPixel(block);
     loss.cost *= holds;
     loss.kept *= holds;
-    rowOf(block, photometry, darkness, grey, sums.row());
+    rowOf(block, surround, photometry, darkness, grey, sums.row());
     k = sight == last ? k : 0;
     last = sight;
     const std::size_t direction = m_memory.blocks.direction[static_cast<std::size_t>(sight)][k++];
@@ -257,7 +263,7 @@ void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry
   DarknessLanes darkness;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
-    m_memory.residuals.push_back(greyOf(block, photometry, darkness.value).residual);
+    m_memory.residuals.push_back(greyOf(block, m_memory.blocks.surroundOf(block), photometry, darkness.value).residual);
   });
 }
 

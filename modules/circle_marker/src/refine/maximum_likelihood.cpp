@@ -133,7 +133,8 @@ public:
   void prepare(const MarkerPlane &plane, const Photometry &photometry, double noise)
   {
     // The surround is judged with the light and the noise.
-    if (m_sortedBlur == 0. || m_memory.blocks.seesSurround || motion(m_sorted, plane) > 0. || isWider(photometry)) {
+    if (m_sortedBlur == 0. || !m_memory.blocks.surrounds.empty() || motion(m_sorted, plane) > 0. ||
+        isWider(photometry)) {
       sort(plane, photometry, noise);
     }
     m_isBent = m_fit.correct(plane, photometry);
@@ -145,7 +146,7 @@ public:
   bool isStale(const MarkerPlane &plane, const Photometry &photometry) const
   {
     return motion(m_sorted, plane) > m_sortAgain || isWider(photometry) ||
-           (m_memory.blocks.seesSurround &&
+           (!m_memory.blocks.surrounds.empty() &&
             std::abs(photometry.light - m_photometry.light) > judgeAgain * m_photometry.light);
   }
 
@@ -155,7 +156,7 @@ public:
     const double uneven = photometry.unevenShare / m_photometry.unevenShare;
     return (m_isBent && (motion(m_plane, plane) > correctAgain ||
                          std::abs(photometry.blur.sigma - m_photometry.blur.sigma) > correctAgain)) ||
-           (m_memory.blocks.seesSurround && std::max(uneven, 1. / uneven) > unevenAgain);
+           (!m_memory.blocks.surrounds.empty() && std::max(uneven, 1. / uneven) > unevenAgain);
   }
 
 private:

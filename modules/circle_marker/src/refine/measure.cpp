@@ -181,7 +181,7 @@ void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
 {
   if (marker.seen) {
     pixels.erase(std::remove_if(pixels.begin(), pixels.end(),
-                                [&](const FitPixel &pixel) { return !marker.seen->holds(pixel.model.meter); }),
+                                [&](const FitPixel &pixel) { return !marker.seen->holds(pixel.meter.cast<double>()); }),
                  pixels.end());
   }
 }

@@ -32,26 +32,6 @@ namespace {
 // rounding to grey levels leaves.
 constexpr double reachOfEdges = 3.9;
 
-// A block without pixels: harmless numbers that count nothing.
-PixelBlock emptyBlock()
-{
-  PixelBlock block;
-  PlaceLanes &place = block.place;
-  for (Lanes *lanes : {&place.x, &place.y, &place.xByV, &place.yByU, &block.offsetU, &block.offsetV, &block.grey,
-                       &block.surround[0], &block.surround[1], &block.beyond[0], &block.beyond[1], &block.spread,
-                       &block.acrossX, &block.base, &block.correction}) {
-    lanes->setZero();
-  }
-  for (Lanes *lanes : {&place.xByU, &place.yByV, &block.acrossY}) {
-    lanes->setOnes();
-  }
-  for (Lanes &lanes : block.change) {
-    lanes.setZero();
-  }
-  block.variance.setConstant(noPixel);
-  return block;
-}
-
 // Angle of vectors in [-pi, pi], to 1e-3 rad: enough to know the nearest border.
 Lanes roughAngle(const Lanes &x, const Lanes &y)
 {
@@ -79,30 +59,32 @@ int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, double u
 
 // What the surround may do to a pixel: something between nothing and all of its share.
 void putSurround(const FitPixel &pixel, const PlanePoint &point, const PaperEnds &papers, const Photometry &photometry,
-                 double noise, Eigen::Index lane, PixelBlock &block)
+                 double noise, Eigen::Index lane, SurroundLanes &surround, PixelBlock &block)
 {
-  const double light = photometry.light + photometry.lightGradient.dot(pixel.offset);
+  const double light = photometry.light + photometry.lightGradient.dot(pixel.offset.cast<double>());
   double variance = 0.;
   double most = 0.;
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-    BeyondPaper beyond = pixel.beyond[shape];
-    if (beyond.share <= 0.) {
+    const BeyondPaper &beyond = pixel.beyond[shape];
+    if (beyond.share <= 0.f) {
       continue;
     }
     // The pose is better known than when the pixel was chosen.
-    beyond.share = shareBeyond(point, papers[shape], photometry.blur.sigma);
+    const double share = shareBeyond(point, papers[shape], photometry.blur.sigma);
     double doubt = 0.25 * light * light; // where nothing is seen of it, anything is possible
     if (std::isfinite(beyond.spread)) {
-      block.surround[shape][lane] = static_cast<float>(beyond.share);
-      block.beyond[shape][lane] = static_cast<float>(beyond.grey);
-      most = std::max(most, beyond.share * std::abs(beyond.grey - light));
+      const auto grey = static_cast<double>(beyond.grey);
+      const auto spread = static_cast<double>(beyond.spread);
+      surround.share[shape][lane] = static_cast<float>(share);
+      surround.beyond[shape][lane] = beyond.grey;
+      most = std::max(most, share * std::abs(grey - light));
       // Noise alone spreads the few looks: by as much, and half as much again by chance.
-      doubt = std::max(beyond.spread * beyond.spread - 2. * noise * noise, 0.);
+      doubt = std::max(spread * spread - 2. * noise * noise, 0.);
       doubt *= photometry.surround[shape] * photometry.surround[shape];
     }
-    variance = std::max(variance, beyond.share * beyond.share * doubt);
+    variance = std::max(variance, share * share * doubt);
   }
-  block.spread[lane] = static_cast<float>(most);
+  surround.spread[lane] = static_cast<float>(most);
   block.variance[lane] = static_cast<float>(variance + photometry.unevenShare * photometry.unevenShare * most * most);
 }
 
@@ -130,19 +112,19 @@ public:
   }
 
   // Puts what the pixels of a block see that are at (x, y) on the marker's plane.
-  void put(const Lanes &x, const Lanes &y, PixelBlock &block) const
+  void put(const Lanes &x, const Lanes &y, SectorLanes &sectors) const
   {
     // Borders from -n / 2 to n / 2, shifted by n so that cutting off rounds them.
     const Lanes nearest = roughAngle(x, y) * (m_sectors * 0.15915494f) + (m_sectors + 0.5f);
-    const int sectors = static_cast<int>(m_sectors);
+    const int count = static_cast<int>(m_sectors);
     for (int lane = 0; lane < laneCount; ++lane) {
       const int border = static_cast<int>(nearest[lane]);
-      const View &view = m_views[static_cast<std::size_t>(border < sectors ? border : border - sectors)];
-      block.acrossX[lane] = view.acrossX;
-      block.acrossY[lane] = view.acrossY;
-      block.base[lane] = view.base;
+      const View &view = m_views[static_cast<std::size_t>(border < count ? border : border - count)];
+      sectors.acrossX[lane] = view.acrossX;
+      sectors.acrossY[lane] = view.acrossY;
+      sectors.base[lane] = view.base;
       for (int k = 0; k < m_borders; ++k) {
-        block.change[k + (mostBorders - m_borders) / 2][lane] = view.change[static_cast<std::size_t>(k)];
+        sectors.change[k + (mostBorders - m_borders) / 2][lane] = view.change[static_cast<std::size_t>(k)];
       }
     }
   }
@@ -158,93 +140,6 @@ private:
   int m_borders;
 };
 
-// Writes pixels into the blocks of their kinds.
-class Packer
-{
-public:
-  Packer(const MarkerPlane &plane, const MarkerPattern &pattern, const Photometry &photometry, double noise,
-         PixelBlocks &blocks)
-      : m_pattern(pattern), m_photometry(photometry), m_noise(noise), m_blocks(blocks),
-        m_homography(plane, blocks.reference, photometry.blur.shape()), m_table(pattern, blocks.borders),
-        m_empty(emptyBlock())
-  {
-  }
-
-  // Where pixels are on the marker's plane.
-  void look(const PlaceLanes &place, PlaneLanes &point) const { m_homography.apply(place, point); }
-
-  // direction: of the pixel from the marker's centre.
-  void put(const FitPixel &pixel, PixelSight sight, std::size_t direction, const PlaceLanes &place, Eigen::Index from)
-  {
-    const auto kind = static_cast<std::size_t>(sight);
-    const std::size_t lane = m_blocks.count[kind]++ % laneCount;
-    std::vector<PixelBlock> &group = m_blocks.bySight[kind];
-    if (lane == 0) {
-      group.push_back(m_empty);
-      m_blocks.direction[kind].push_back(static_cast<unsigned char>(direction));
-    }
-    PixelBlock &block = group.back();
-    const auto to = static_cast<Eigen::Index>(lane);
-    block.place.x[to] = place.x[from];
-    block.place.y[to] = place.y[from];
-    block.place.xByU[to] = place.xByU[from];
-    block.place.xByV[to] = place.xByV[from];
-    block.place.yByU[to] = place.yByU[from];
-    block.place.yByV[to] = place.yByV[from];
-    block.offsetU[to] = static_cast<float>(pixel.offset.x());
-    block.offsetV[to] = static_cast<float>(pixel.offset.y());
-    block.grey[to] = static_cast<float>(pixel.grey);
-    block.variance[to] = 0.f;
-    m_pixels[kind][lane] = &pixel;
-    if (lane + 1 == laneCount) {
-      complete(sight);
-    }
-  }
-
-  // Completes the last block of each kind.
-  void finish()
-  {
-    for (std::size_t kind = 0; kind < pixelSights; ++kind) {
-      if (m_blocks.count[kind] % laneCount != 0) {
-        complete(static_cast<PixelSight>(kind));
-      }
-    }
-  }
-
-private:
-  void complete(PixelSight sight)
-  {
-    const auto kind = static_cast<std::size_t>(sight);
-    PixelBlock &block = m_blocks.bySight[kind].back();
-    const std::size_t count = (m_blocks.count[kind] - 1) % laneCount + 1;
-    PlaneLanes point;
-    m_homography.apply(block.place, point);
-    if (sight != PixelSight::RING) {
-      m_table.put(point.qx, point.qy, block);
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      const FitPixel &pixel = *m_pixels[kind][k];
-      if (pixel.beyond[0].share > 0. || pixel.beyond[1].share > 0.) {
-        const auto lane = static_cast<Eigen::Index>(k);
-        PlanePoint there;
-        there.q << point.qx[lane], point.qy[lane];
-        there.byPixel << point.qxByU[lane], point.qxByV[lane], point.qyByU[lane], point.qyByV[lane];
-        m_blocks.seesSurround = true;
-        putSurround(pixel, there, m_pattern.paper, m_photometry, m_noise, lane, block);
-      }
-    }
-  }
-
-  const MarkerPattern &m_pattern;
-  const Photometry &m_photometry;
-  const double m_noise;
-  PixelBlocks &m_blocks;
-  const PlaneHomography m_homography;
-  const SectorTable m_table;
-  const PixelBlock m_empty;
-  std::array<std::array<const FitPixel *, laneCount>, pixelSights> m_pixels; // of the last blocks
-};
-
 // What a pixel at a radius may see; margin: how far it sees, in radii.
 PixelSight sightOf(float radius, float margin, const MarkerPattern &pattern)
 {
@@ -254,81 +149,179 @@ PixelSight sightOf(float radius, float margin, const MarkerPattern &pattern)
   }
   return radius < static_cast<float>(pattern.ring[1].radius) - margin ? PixelSight::TRACK : PixelSight::RING_AND_TRACK;
 }
-// Places of eight pixels in the units of the blocks.
-void placeOf(const FitPixel *pixels, Eigen::Index count, const ImageReference &reference, PlaceLanes &place)
-{
-  const double perUnit = 1. / reference.unit;
-  for (Eigen::Index lane = 0; lane < count; ++lane) {
-    const ModelPixel &model = pixels[lane].model;
-    place.x[lane] = static_cast<float>(perUnit * (model.meter.x() - reference.meter.x()));
-    place.y[lane] = static_cast<float>(perUnit * (model.meter.y() - reference.meter.y()));
-    place.xByU[lane] = static_cast<float>(perUnit * model.meterPerPixel(0, 0));
-    place.xByV[lane] = static_cast<float>(perUnit * model.meterPerPixel(0, 1));
-    place.yByU[lane] = static_cast<float>(perUnit * model.meterPerPixel(1, 0));
-    place.yByV[lane] = static_cast<float>(perUnit * model.meterPerPixel(1, 1));
-  }
-}
 
-// Looks where all pixels are on the marker and sorts them: by kind, then by direction.
-void sortPixels(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, double seen, const Packer &packer,
-                PixelBlocks &blocks)
+// Sorts pixels and writes them into blocks.
+class Packer
 {
-  constexpr float perTurn = static_cast<float>(directions) / 6.2831853f;
-  std::array<unsigned int, pixelSights *directions + 1> start = {};
-  blocks.places.clear();
-  blocks.bins.resize(pixels.size());
-  PlaceLanes place = emptyBlock().place;
-  PlaneLanes point;
-  for (std::size_t first = 0; first < pixels.size(); first += laneCount) {
-    const std::size_t count = std::min<std::size_t>(laneCount, pixels.size() - first);
-    placeOf(&pixels[first], static_cast<Eigen::Index>(count), blocks.reference, place);
-    blocks.places.push_back(place);
-    packer.look(place, point);
-    const Lanes direction = perTurn * (roughAngle(point.qx, point.qy) + 3.1415927f);
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto lane = static_cast<Eigen::Index>(k);
-      const PixelSight sight = sightOf(point.radius[lane], static_cast<float>(seen) * point.gradient[lane], pattern);
-      const std::size_t bin = static_cast<std::size_t>(sight) * directions +
-                              std::min(static_cast<std::size_t>(direction[lane]), directions - 1);
-      blocks.bins[first + k] = static_cast<unsigned char>(bin);
-      ++start[bin + 1];
+public:
+  Packer(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
+         const Photometry &photometry, double noise, PixelBlocks &blocks)
+      : m_pixels(pixels), m_pattern(pattern), m_photometry(photometry), m_noise(noise), m_blocks(blocks),
+        m_homography(plane, blocks.reference, photometry.blur.shape()), m_table(pattern, blocks.borders)
+  {
+  }
+
+  // Looks where all pixels are on the marker and sorts them: by kind, then by direction. seen: how far they see,
+  // pixels.
+  void sort(double seen)
+  {
+    constexpr float perTurn = static_cast<float>(directions) / 6.2831853f;
+    std::array<unsigned int, pixelSights *directions + 1> start = {};
+    m_blocks.bins.resize(m_pixels.size());
+    std::array<unsigned int, laneCount> numbers;
+    PlaceLanes place;
+    PlaneLanes point;
+    for (std::size_t first = 0; first < m_pixels.size(); first += laneCount) {
+      const std::size_t count = std::min<std::size_t>(laneCount, m_pixels.size() - first);
+      for (std::size_t k = 0; k < laneCount; ++k) {
+        numbers[k] = static_cast<unsigned int>(first + std::min(k, count - 1));
+      }
+      placeOf(numbers.data(), place);
+      m_homography.apply(place, point);
+      const Lanes direction = perTurn * (roughAngle(point.qx, point.qy) + 3.1415927f);
+      const Lanes margin = static_cast<float>(seen) * point.gradient;
+      for (std::size_t k = 0; k < count; ++k) {
+        const auto lane = static_cast<Eigen::Index>(k);
+        const PixelSight sight = sightOf(point.radius[lane], margin[lane], m_pattern);
+        const std::size_t bin = static_cast<std::size_t>(sight) * directions +
+                                std::min(static_cast<std::size_t>(direction[lane]), directions - 1);
+        m_blocks.bins[first + k] = static_cast<unsigned char>(bin);
+        ++start[bin + 1];
+      }
+    }
+    for (std::size_t bin = 1; bin < start.size(); ++bin) {
+      start[bin] += start[bin - 1];
+    }
+    for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+      m_blocks.count[kind] = start[(kind + 1) * directions] - start[kind * directions];
+    }
+    m_blocks.sortedPixels.resize(m_pixels.size());
+    for (std::size_t k = 0; k < m_pixels.size(); ++k) {
+      m_blocks.sortedPixels[start[m_blocks.bins[k]]++] = static_cast<unsigned int>(k);
     }
   }
-  for (std::size_t bin = 1; bin < start.size(); ++bin) {
-    start[bin] += start[bin - 1];
+
+  // Fills the blocks.
+  void fill()
+  {
+    m_blocks.surrounds.clear();
+    m_blocks.sectors.clear();
+    std::size_t first = 0;
+    for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+      const std::size_t end = first + m_blocks.count[kind];
+      std::vector<PixelBlock> &blocks = m_blocks.bySight[kind];
+      blocks.resize((m_blocks.count[kind] + laneCount - 1) / laneCount);
+      m_blocks.direction[kind].clear();
+      for (PixelBlock &block : blocks) {
+        m_blocks.direction[kind].push_back(
+            static_cast<unsigned char>(m_blocks.bins[m_blocks.sortedPixels[first]] % directions));
+        const std::size_t count = std::min<std::size_t>(laneCount, end - first);
+        fillBlock(&m_blocks.sortedPixels[first], count, static_cast<PixelSight>(kind), block);
+        first += count;
+      }
+    }
   }
-  blocks.sortedPixels.resize(pixels.size());
-  for (std::size_t k = 0; k < pixels.size(); ++k) {
-    blocks.sortedPixels[start[blocks.bins[k]]++] = static_cast<unsigned int>(k);
+
+private:
+  // Places of eight pixels in the units of the blocks.
+  void placeOf(const unsigned int *numbers, PlaceLanes &place) const
+  {
+    for (Eigen::Index lane = 0; lane < laneCount; ++lane) {
+      const FitPixel &pixel = m_pixels[numbers[lane]];
+      place.x[lane] = pixel.meter.x();
+      place.y[lane] = pixel.meter.y();
+      place.xByU[lane] = pixel.meterPerPixel(0, 0);
+      place.xByV[lane] = pixel.meterPerPixel(0, 1);
+      place.yByU[lane] = pixel.meterPerPixel(1, 0);
+      place.yByV[lane] = pixel.meterPerPixel(1, 1);
+    }
+    const ImageReference &reference = m_blocks.reference;
+    const auto perUnit = static_cast<float>(1. / reference.unit);
+    place.x = perUnit * (place.x - static_cast<float>(reference.meter.x()));
+    place.y = perUnit * (place.y - static_cast<float>(reference.meter.y()));
+    for (Lanes *lanes : {&place.xByU, &place.xByV, &place.yByU, &place.yByV}) {
+      *lanes = perUnit * *lanes;
+    }
   }
-}
+
+  // A block that is not full has its last pixel again in the other lanes, where it counts nothing.
+  void fillBlock(const unsigned int *sorted, std::size_t count, PixelSight sight, PixelBlock &block)
+  {
+    std::array<unsigned int, laneCount> numbers;
+    bool seesSurround = false;
+    for (std::size_t k = 0; k < laneCount; ++k) {
+      numbers[k] = sorted[std::min(k, count - 1)];
+      const FitPixel &pixel = m_pixels[numbers[k]];
+      const auto lane = static_cast<Eigen::Index>(k);
+      block.offsetU[lane] = pixel.offset.x();
+      block.offsetV[lane] = pixel.offset.y();
+      block.grey[lane] = pixel.grey;
+      block.variance[lane] = k < count ? 0.f : noPixel;
+      seesSurround = seesSurround || pixel.seesSurround();
+    }
+    placeOf(numbers.data(), block.place);
+    block.correction.setZero();
+    block.sectors = PixelBlock::none;
+    block.surround = PixelBlock::none;
+    if (sight == PixelSight::RING && !seesSurround) {
+      return;
+    }
+    PlaneLanes point;
+    m_homography.apply(block.place, point);
+    if (sight != PixelSight::RING) {
+      block.sectors = m_blocks.sectors.size();
+      m_table.put(point.qx, point.qy, m_blocks.sectors.emplace_back());
+    }
+    if (seesSurround) {
+      block.surround = m_blocks.surrounds.size();
+      SurroundLanes &surround = m_blocks.surrounds.emplace_back();
+      for (Lanes *lanes :
+           {&surround.share[0], &surround.share[1], &surround.beyond[0], &surround.beyond[1], &surround.spread}) {
+        lanes->setZero();
+      }
+      for (std::size_t k = 0; k < count; ++k) {
+        const FitPixel &pixel = m_pixels[numbers[k]];
+        if (pixel.seesSurround()) {
+          const auto lane = static_cast<Eigen::Index>(k);
+          PlanePoint there;
+          there.q << point.qx[lane], point.qy[lane];
+          there.byPixel << point.qxByU[lane], point.qxByV[lane], point.qyByU[lane], point.qyByV[lane];
+          putSurround(pixel, there, m_pattern.paper, m_photometry, m_noise, lane, surround, block);
+        }
+      }
+    }
+  }
+
+  const std::vector<FitPixel> &m_pixels;
+  const MarkerPattern &m_pattern;
+  const Photometry &m_photometry;
+  const double m_noise;
+  PixelBlocks &m_blocks;
+  const PlaneHomography m_homography;
+  const SectorTable m_table;
+};
 } // namespace
 
 void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
                 const Photometry &photometry, double noise, double poseError, PixelBlocks &blocks)
 {
-  blocks.seesSurround = false;
-  for (std::size_t kind = 0; kind < pixelSights; ++kind) {
-    blocks.bySight[kind].clear();
-    blocks.direction[kind].clear();
-  }
-  blocks.count.fill(0);
   if (pixels.empty()) {
+    for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+      blocks.bySight[kind].clear();
+      blocks.direction[kind].clear();
+    }
+    blocks.count.fill(0);
     return;
   }
-  const FitPixel &middle = pixels[pixels.size() / 2];
-  blocks.reference = {middle.model.meter, std::sqrt(std::abs(middle.model.meterPerPixel.determinant()))};
+  const ModelPixel middle = pixels[pixels.size() / 2].model();
+  blocks.reference = {middle.meter, std::sqrt(std::abs(middle.meterPerPixel.determinant()))};
   // Pixels, in coordinates in which the blur is round: there lengths are larger by this factor at most.
   const double longer = photometry.blur.widest() / photometry.blur.sigma;
   const double seen = reachOfEdges * photometry.blur.sigma + longer * poseError;
   blocks.borders = pattern.sectors > 0 ? bordersSeen(plane, pattern, blocks.reference.unit, longer * seen) : 0;
-  Packer packer(plane, pattern, photometry, noise, blocks);
-  sortPixels(pixels, pattern, seen, packer, blocks);
-  for (const unsigned int k : blocks.sortedPixels) {
-    packer.put(pixels[k], static_cast<PixelSight>(blocks.bins[k] / directions), blocks.bins[k] % directions,
-               blocks.places[k / laneCount], static_cast<Eigen::Index>(k % laneCount));
-  }
-  packer.finish();
+  Packer packer(pixels, plane, pattern, photometry, noise, blocks);
+  packer.sort(seen);
+  packer.fill();
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

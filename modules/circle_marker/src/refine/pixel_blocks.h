@@ -52,36 +52,57 @@ constexpr std::size_t directions = 32;
 /*! Variance of a lane that holds no pixel, grey levels^2. */
 constexpr float noPixel = 1e30f;
 
+/*! What a block's pixels may see of the code. */
+struct SectorLanes
+{
+  Lanes acrossX, acrossY;    //!< Unit vector on the marker across the nearest border between sectors.
+  Lanes base;                //!< 1 if the sector before the first border is black, 0 if it is white.
+  Lanes change[mostBorders]; //!< Of each border: 1 from white to black, -1 from black to white, 0 if there is no edge.
+};
+
+/*! What a block's pixels may see beyond the paper. */
+struct SurroundLanes
+{
+  //! For each shape of the paper, the share that the surround has at most, and its grey level.
+  Lanes share[paperShapes];
+  Lanes beyond[paperShapes];
+  Lanes spread; //!< Most that the surround may change, grey levels.
+};
+
 /*! Eight pixels that may see the same parts of the print. */
 struct PixelBlock
 {
-  PlaceLanes place;       //!< Where the pixels are.
-  Lanes offsetU, offsetV; //!< From the marker's centre, in units of its image's size.
-  Lanes grey;             //!< Grey level.
-  //! For each shape of the paper, the share that the surround has at most, and its grey level.
-  Lanes surround[paperShapes];
-  Lanes beyond[paperShapes];
-  Lanes spread;              //!< Most that the surround may change, grey levels.
-  Lanes variance;            //!< Of what it may change beside that, grey levels^2.
-  Lanes acrossX, acrossY;    //!< Unit vector on the marker across the nearest border between sectors.
-  Lanes base;                //!< 1 if the sector before the first border is black, 0 if it is white.
-  Lanes correction;          //!< What the parabolas of ImageModel lack of the share of black (correctBends()).
-  Lanes change[mostBorders]; //!< Of each border: 1 from white to black, -1 from black to white, 0 if there is no edge.
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  PlaceLanes place;            //!< Where the pixels are.
+  Lanes offsetU, offsetV;      //!< From the marker's centre, in units of its image's size.
+  Lanes grey;                  //!< Grey level.
+  Lanes variance;              //!< Of what the surround may change beside its share, grey levels^2; or noPixel.
+  Lanes correction;            //!< What the parabolas of ImageModel lack of the share of black (correctBends()).
+  std::size_t sectors = none;  //!< Place in PixelBlocks::sectors.
+  std::size_t surround = none; //!< Place in PixelBlocks::surrounds.
 };
 
 /*! All pixels of a marker, in blocks. */
 struct PixelBlocks
 {
+  /*! What a block sees beyond the paper; nullptr if nothing. */
+  const SurroundLanes *surroundOf(const PixelBlock &block) const
+  {
+    return block.surround == PixelBlock::none ? nullptr : &surrounds[block.surround];
+  }
+
   ImageReference reference;                                 //!< Origin and unit of the places.
   int borders = mostBorders;                                //!< Borders that a pixel may see: 1, 3 or 5.
-  bool seesSurround = false;                                //!< Whether any pixel may see what lies beyond the paper.
   std::array<std::vector<PixelBlock>, pixelSights> bySight; //!< Blocks of each kind.
   std::array<std::size_t, pixelSights> count = {{0, 0, 0}}; //!< Pixels of each kind.
   //! Direction from the marker's centre, below \e directions, of each block's first pixel: pixels come in its order.
   std::array<std::vector<unsigned char>, pixelSights> direction;
 
+  std::vector<SectorLanes> sectors;     //!< Of the blocks that may see the code.
+  std::vector<SurroundLanes> surrounds; //!< Of the blocks that may see the surround.
+
   // Working memory of packPixels().
-  std::vector<PlaceLanes> places;         //!< Of all pixels, in their order.
   std::vector<unsigned char> bins;        //!< Kind and direction of each pixel.
   std::vector<unsigned int> sortedPixels; //!< Their numbers, by bin.
 };

@@ -70,8 +70,12 @@ double Likelihood::unevenShareOfResiduals(double noise) const
   std::size_t k = 0;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
     const Lanes &residual = m_memory.residuals[k++];
-    const Lanes isClear = (1e30f * (block.spread - clearSpread * sigma)).max(0.f).min(1.f) * holdsPixel(block);
-    const Lanes spread = block.spread.max(sigma);
+    const SurroundLanes *surround = m_memory.blocks.surroundOf(block);
+    if (surround == nullptr) {
+      return;
+    }
+    const Lanes isClear = isPositive(surround->spread - clearSpread * sigma) * holdsPixel(block);
+    const Lanes spread = surround->spread.max(sigma);
     const Lanes excess = ((residual.square() - sigma * sigma) / spread.square()).min(1.f);
     pixels += static_cast<double>(isClear.sum());
     squares += static_cast<double>((isClear * excess).sum());

@@ -54,13 +54,13 @@ public:
   }
 
   // Whether the pixel sees enough of the marker.
-  bool complete(FitPixel &pixel) const
+  bool complete(const ModelPixel &model, FitPixel &pixel) const
   {
     if (!m_isNear) {
       return true;
     }
     for (std::size_t i = 0; i < m_count; ++i) {
-      const PlanePoint point = planePoint({pixel.model.meter, pixel.model.meterPerPixel * m_blurShape}, m_planes[i]);
+      const PlanePoint point = planePoint({model.meter, model.meterPerPixel * m_blurShape}, m_planes[i]);
       if (point.q.norm() < m_outermost - clearOfSurround * m_blur * point.byPixel.norm()) {
         continue;
       }
@@ -71,10 +71,9 @@ public:
           return false;
         }
         BeyondPaper &beyond = pixel.beyond[shape];
-        if (share > std::max(beyond.share, leastSurround)) {
+        if (share > std::max(static_cast<double>(beyond.share), leastSurround)) {
           const unsigned int direction = Surround::directionOf(point.q);
-          beyond = {share, static_cast<double>(surround.grey[direction]),
-                    static_cast<double>(surround.spread[direction])};
+          beyond = {static_cast<float>(share), surround.grey[direction], surround.spread[direction]};
         }
       }
     }
