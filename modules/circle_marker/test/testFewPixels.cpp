@@ -60,7 +60,7 @@ TEST(FewPixels, LieAcrossTheEdges)
     const MarkerPattern pattern = patternOf(family, id, family.getLayout().ringInner);
     int inside = 0, outside = 0;
     for (const FitPixel &pixel : select(scene, side, id, 1)) {
-      const PatternDistance distance = distanceToPattern(pixel.model, scene.plane(), pattern);
+      const PatternDistance distance = distanceToPattern(pixel.model(), scene.plane(), pattern);
       EXPECT_LT(distance.toEdges, 2.6 * 0.8 + 0.75); // the row's end, and the rounding to whole pixels
       EXPECT_LT(pixel.beyond[0].share, 0.05);
       EXPECT_EQ(pixel.grey, 100.);
@@ -80,7 +80,7 @@ TEST(FewPixels, OnlyPixelsOfTheImage)
         markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 3, 80., uniform(random, 0., 0.8), 90);
     scene.center.x() += uniform(random, -3., 3.) * scene.radius;
     for (const FitPixel &pixel : select(scene, 90, 3, 2)) {
-      const Eigen::Vector2d where = scene.focal * pixel.model.meter + scene.principal;
+      const Eigen::Vector2d where = scene.focal * pixel.meter.cast<double>() + scene.principal;
       EXPECT_GT(where.minCoeff(), -1e-6);
       EXPECT_LT(where.maxCoeff(), 89. + 1e-6);
     }

@@ -40,7 +40,7 @@ std::vector<FitPixel> select(const vpImage<unsigned char> &I, const MarkerScene 
 
 Eigen::Vector2d pixelOf(const FitPixel &pixel, const MarkerScene &scene)
 {
-  return scene.focal * pixel.model.meter + scene.principal;
+  return scene.focal * pixel.meter.cast<double>() + scene.principal;
 }
 
 //! An image whose grey levels tell where they come from.

@@ -50,7 +50,8 @@ struct Case
     for (unsigned int v = 0; v < side; ++v) {
       for (unsigned int u = 0; u < side; ++u) {
         FitPixel pixel;
-        pixel.model = {camera.toMeter(Eigen::Vector2d(u, v)), camera.meterPerPixel(Eigen::Vector2d(u, v))};
+        pixel.meter = camera.toMeter(Eigen::Vector2d(u, v)).cast<float>();
+        pixel.meterPerPixel = camera.meterPerPixel(Eigen::Vector2d(u, v)).cast<float>();
         pixel.grey = truth[v][u];
         pixels.push_back(pixel);
       }

@@ -56,9 +56,10 @@ void fillFromModel(Case &made, const Light &light, const BlurParameters &blur, d
 {
   std::normal_distribution<double> normal(0., 1.);
   for (FitPixel &pixel : made.pixels) {
-    const double darkness = darknessAt(pixel.model, made.scene.plane(), made.pattern, blur).value;
-    pixel.grey = (light.level + light.gradient.dot(pixel.offset)) * (1. - light.contrast * darkness) +
-                 (noise > 0. ? noise * normal(random) : 0.);
+    const double darkness = darknessAt(pixel.model(), made.scene.plane(), made.pattern, blur).value;
+    const double white = light.level + light.gradient.dot(pixel.offset.cast<double>());
+    pixel.grey =
+        static_cast<float>(white * (1. - light.contrast * darkness) + (noise > 0. ? noise * normal(random) : 0.));
     pixel.beyond = {}; // the model's paper has no end
   }
 }
@@ -167,7 +168,7 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       EXPECT_NEAR(fit->photometry.light, light.level, 1e-3);
       EXPECT_NEAR(fit->photometry.contrast, light.contrast, 1e-5);
       EXPECT_LT((fit->photometry.lightGradient - light.gradient).norm(), 1e-3);
-      EXPECT_NEAR(fit->photometry.blur.sigma, blur.sigma, 2e-5); // the elongation's prior pulls a little
+      EXPECT_NEAR(fit->photometry.blur.sigma, blur.sigma, 1e-4); // the elongation's prior pulls a little
       EXPECT_LT((fit->photometry.blur.elongation - blur.elongation).norm(), 1e-4);
       // Growth and spread are nearly one on a print that is hardly tilted: their sum is what is known.
       const double pixels = made.scene.focal * made.scene.radius / truth.center.z(); // of a radius
@@ -288,7 +289,9 @@ TEST(MaximumLikelihood, OccludedPixelsHaveNoWeight)
   Random random = randomOfTest();
   const vpImage<unsigned char> I(side, side, 0);
   const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
-  for (int i = 0; i < 40; ++i) {
+  constexpr int trials = 40;
+  double sum = 0.;
+  for (int i = 0; i < trials; ++i) {
     const int id = randomId(random, family);
     Case made = makeCase(markerScene(random, family, id, 70., uniform(random, 0.3, 0.8), side), id, I);
     fillFromModel(made, Light(), BlurParameters(), 2., random);
@@ -298,7 +301,7 @@ TEST(MaximumLikelihood, OccludedPixelsHaveNoWeight)
     std::vector<FitPixel> uncovered;
     for (FitPixel &pixel : made.pixels) {
       if (pixel.offset.x() * std::cos(direction) + pixel.offset.y() * std::sin(direction) > where) {
-        pixel.grey = 110.;
+        pixel.grey = 110.f;
       }
       else {
         uncovered.push_back(pixel);
@@ -308,12 +311,16 @@ TEST(MaximumLikelihood, OccludedPixelsHaveNoWeight)
     const auto all = fitAll(made.pixels, start, made.pattern, settingsOf(family));
     const auto seen = fitAll(uncovered, start, made.pattern, settingsOf(family));
     ASSERT_TRUE(all && seen);
-    // The covered pixels of a blurred edge that happen to look right do count: a part of a standard deviation.
+    // The covered pixels of a blurred edge that happen to look right do count: a fifth of a standard deviation, and in
+    // one of 100 such stripes (of 600 that were looked at) 0.6 to 0.8 of it.
     const Eigen::Matrix<double, 6, 1> e = errorOf(all->plane, seen->plane);
-    EXPECT_LT(e.dot(seen->covariance.inverse() * e), 6. * 0.6 * 0.6) << "covered beyond " << where;
+    const double squared = e.dot(seen->covariance.inverse() * e);
+    EXPECT_LT(squared, 6.) << "covered beyond " << where;
+    sum += squared;
     EXPECT_NEAR(all->inliers, seen->inliers * static_cast<double>(uncovered.size()) / made.pixels.size(), 0.05);
     EXPECT_NEAR(all->noise, 2., 0.3);
   }
+  EXPECT_LT(sum / trials, 6. * 0.3 * 0.3);
 }
 
 TEST(MaximumLikelihood, WithoutIterationsTheStartIsOnlyJudged)
@@ -396,12 +403,12 @@ TEST(MaximumLikelihood, RefusesWhatIsNoImageOfIt)
   // Inverted: no positive contrast explains it.
   fillFromModel(made, Light(), BlurParameters(), 0., random);
   for (FitPixel &pixel : made.pixels) {
-    pixel.grey = 255. - pixel.grey;
+    pixel.grey = 255.f - pixel.grey;
   }
   EXPECT_FALSE(fitAll(made.pixels, made.scene.plane(), made.pattern, settingsOf(family)));
   // Black all over, and too few pixels.
   for (FitPixel &pixel : made.pixels) {
-    pixel.grey = 0.;
+    pixel.grey = 0.f;
   }
   EXPECT_FALSE(fitAll(made.pixels, made.scene.plane(), made.pattern, settingsOf(family)));
   fillFromModel(made, Light(), BlurParameters(), 0., random);
@@ -433,11 +440,11 @@ TEST(MaximumLikelihood, CovarianceGrowsWhereNeighboursPullTogether)
     independent += varianceOf(true) / varianceOf(false) / trials;
     // A wave over the marker that no parameter explains, as large as the noise.
     for (FitPixel &pixel : made.pixels) {
-      pixel.grey += 3. * std::cos(6. * pixel.offset.x() + 2. * pixel.offset.y());
+      pixel.grey += 3.f * std::cos(6.f * pixel.offset.x() + 2.f * pixel.offset.y());
     }
     together += varianceOf(true) / varianceOf(false) / trials;
   }
-  EXPECT_GT(independent, 1. - 1e-6); // the sums of both are rounded differently
+  EXPECT_GT(independent, 1. - 1e-5); // the sums of both are rounded differently
   EXPECT_LT(independent, 1.1);
   EXPECT_GT(together, 2.);
 }

@@ -61,8 +61,9 @@ TEST(PixelBlocks, HoldEveryPixelOnce)
       std::size_t lanes = 0;
       for (const PixelBlock &block : packed.blocks.bySight[kind]) {
         for (int lane = 0; lane < laneCount; ++lane) {
-          lanes += block.variance[lane] < noPixel;
-          grey += static_cast<double>(block.grey[lane]);
+          const bool holds = block.variance[lane] < noPixel;
+          lanes += holds;
+          grey += holds ? static_cast<double>(block.grey[lane]) : 0.;
         }
       }
       EXPECT_EQ(lanes, packed.blocks.count[kind]);
@@ -133,14 +134,25 @@ TEST(PixelBlocks, NeighboursInABlockMakeNoDifference)
             // The same block filled with one of its pixels.
             PixelBlock alone = block;
             for (Lanes *all : {&alone.place.x, &alone.place.y, &alone.place.xByU, &alone.place.xByV, &alone.place.yByU,
-                               &alone.place.yByV, &alone.acrossX, &alone.acrossY, &alone.base}) {
+                               &alone.place.yByV}) {
               all->setConstant((*all)[lane]);
             }
-            for (Lanes &change : alone.change) {
-              change.setConstant(change[lane]);
+            PixelBlocks own;
+            own.reference = packed.blocks.reference;
+            own.borders = packed.blocks.borders;
+            if (block.sectors != PixelBlock::none) {
+              alone.sectors = 0;
+              SectorLanes sectors = packed.blocks.sectors[block.sectors];
+              sectors.acrossX.setConstant(sectors.acrossX[lane]);
+              sectors.acrossY.setConstant(sectors.acrossY[lane]);
+              sectors.base.setConstant(sectors.base[lane]);
+              for (Lanes &change : sectors.change) {
+                change.setConstant(change[lane]);
+              }
+              own.sectors.push_back(sectors);
             }
             DarknessLanes single;
-            model.evaluate(alone, static_cast<PixelSight>(kind), single);
+            ImageModel(plane, packed.pattern, blur, own).evaluate(alone, static_cast<PixelSight>(kind), single);
             worst = std::max(worst, static_cast<double>(std::abs(single.value[0] - together.value[lane])));
           }
         }
@@ -156,15 +168,16 @@ TEST(PixelBlocks, DoubtGrowsWithTheDifferenceOfTheSurround)
   FitPixel pixel;
   const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., 0., side);
   const CameraModel camera(scene.camera());
-  pixel.model = {camera.toMeter(Eigen::Vector2d(75., 75.)), camera.meterPerPixel(Eigen::Vector2d(75., 75.))};
+  pixel.meter = camera.toMeter(Eigen::Vector2d(75., 75.)).cast<float>();
+  pixel.meterPerPixel = camera.meterPerPixel(Eigen::Vector2d(75., 75.)).cast<float>();
   MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
-  const PlanePoint point = planePoint(pixel.model, scene.plane());
+  const PlanePoint point = planePoint(pixel.model(), scene.plane());
   const double gradient = (point.byPixel.transpose() * point.q.normalized()).norm();
   Photometry photometry;
   photometry.light = 200.;
   photometry.surround = {{1., 0.}};
   const auto varianceOf = [&](double share, double beyond, double spread) {
-    pixel.beyond[0] = {share, beyond, spread};
+    pixel.beyond[0] = {static_cast<float>(share), static_cast<float>(beyond), static_cast<float>(spread)};
     // The paper ends where the pixel sees that share of what lies beyond: 0.2533 and 0.8416 are normal quantiles.
     const double quantile = share == 0.5 ? 0. : share == 0.4 ? 0.2533 : 0.8416;
     pattern.paper[0].extent = point.q.norm() + quantile * photometry.blur.sigma * gradient;

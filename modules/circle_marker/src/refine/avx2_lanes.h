@@ -147,6 +147,20 @@ inline Lanes operator/(float a, const Lanes &b)
   return Lanes::Constant(a) / b;
 }
 
+/*! The sum of each of eight blocks of lanes. */
+inline Lanes sumOfEach(const Lanes *blocks)
+{
+  // Neighbouring lanes are added until each half of a register has its part of four sums.
+  const auto fourOf = [](const Lanes *four) -> Lanes {
+    return _mm256_hadd_ps(_mm256_hadd_ps(four[0].value(), four[1].value()),
+                          _mm256_hadd_ps(four[2].value(), four[3].value()));
+  };
+  const Lanes first = fourOf(blocks);
+  const Lanes last = fourOf(blocks + 4);
+  return _mm256_add_ps(_mm256_permute2f128_ps(first.value(), last.value(), 0x20),
+                       _mm256_permute2f128_ps(first.value(), last.value(), 0x31));
+}
+
 // 2^n e^r with |r| < log(2) / 2: Taylor's series of e^r up to r^7 / 7!, whose next term is below 6e-9.
 inline Lanes Lanes::exp() const
 {

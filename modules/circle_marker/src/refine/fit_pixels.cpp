@@ -27,9 +27,12 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 namespace {
-// Half-width of the band of pixels along an edge: beyond 2.4 standard deviations of the blur lies 0.1 % of what an edge
-// tells of its place and 1 % of what it tells of the blur; and the pose is known to this, pixels.
-constexpr double bandOfBlur = 2.4;
+// Half-width of the band of pixels along an edge: beyond 2 standard deviations of the blur lies 0.5 % of what an edge
+// tells of its place and 5 % of what it tells of the blur; and the pose is known to this, pixels. A small marker, which
+// has few pixels, uses them up to 2.4 standard deviations: 0.1 and 1 % lie beyond.
+constexpr double bandOfBlur = 2.;
+constexpr double bandOfSmall = 2.4;
+constexpr double smallMarker = 40.; // diameter, pixels
 constexpr double poseErrorOfSelection = 0.3;
 // Hypotheses that are served.
 constexpr std::size_t mostHypotheses = 2;
@@ -92,11 +95,11 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   count = std::min(count, mostHypotheses);
   // In coordinates in which the blur is round: there lengths are larger by this factor at most.
   const double longer = blur.widest() / blur.sigma;
-  const double band = bandOfBlur * blur.sigma + longer * poseErrorOfSelection;
   const double outermost = pattern.paper[0].extent;
   const Box box = boundingBox(I, camera, planes, count, outermost);
   const Eigen::Vector2d center = camera.toPixel(planes[0].project(Eigen::Vector2d::Zero()));
   const double size = 0.25 * (box.right - box.left + box.bottom - box.top) / outermost;
+  const double band = (2. * size < smallMarker ? bandOfSmall : bandOfBlur) * blur.sigma + longer * poseErrorOfSelection;
   const double expected = 2. * band * edgeLength(pattern, size);
   // A lattice of one pixel in `keep`, slanted by the golden section so that it has no short period along any edge; the
   // edges of a marker that is thinned know white and black well enough without its flat areas.
@@ -106,15 +109,19 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   std::array<TileView, mostHypotheses> hypotheses = {
       {{planes[0], pattern, band, blur.shape()}, {planes[count - 1], pattern, band, blur.shape()}}};
   const double perSize = 1. / size;
-  const auto add = [&](int u, int v, const Eigen::Matrix2d &meterPerPixel) {
-    const Eigen::Vector2d where(u, v);
+  const bool isLinear = camera.isLinear();
+  const Eigen::Vector2d corner = camera.toMeter(Eigen::Vector2d::Zero());
+  const Eigen::Vector2d perPixel = camera.meterPerPixel(Eigen::Vector2d::Zero()).diagonal(); // if linear
+  const auto add = [&](int u, int v, const Eigen::Matrix2f &meterPerPixel) {
+    const Eigen::Vector2d meter = isLinear
+                                      ? Eigen::Vector2d(corner.x() + u * perPixel.x(), corner.y() + v * perPixel.y())
+                                      : camera.toMeter(Eigen::Vector2d(u, v));
     FitPixel &pixel = pixels.emplace_back();
-    const ModelPixel model = {camera.toMeter(where), meterPerPixel};
-    pixel.meter = model.meter.cast<float>();
-    pixel.meterPerPixel = meterPerPixel.cast<float>();
-    pixel.offset = (perSize * (where - center)).cast<float>();
+    pixel.meter = meter.cast<float>();
+    pixel.meterPerPixel = meterPerPixel;
+    pixel.offset << static_cast<float>(perSize * (u - center.x())), static_cast<float>(perSize * (v - center.y()));
     pixel.grey = I[v][u];
-    if (!surround.complete(model, pixel)) {
+    if (surround.isNear() && !surround.complete(meter, pixel)) {
       pixels.pop_back();
     }
   };
@@ -129,11 +136,13 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
       if (!isNear) {
         // Inside a plain ring anything may be printed: only the neighbourhood of its edges is known.
         if (pattern.sectors > 0 && keep == 1) {
-          add(left, top, tile.meterPerPixel);
+          surround.enter(tile);
+          add(left, top, tile.meterPerPixel.cast<float>());
         }
         continue;
       }
       surround.enter(tile);
+      const Eigen::Matrix2f derivative = tile.meterPerPixel.cast<float>();
       const int right = std::min(left + laneCount - 1, box.right);
       for (int v = top; v <= std::min(top + laneCount - 1, box.bottom); ++v) {
         Lanes distance = Lanes::Constant(HUGE_VALF);
@@ -146,7 +155,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
         int phase = (left + slant * v) % keep;
         for (int u = left; u <= right; ++u) {
           if (phase == 0 && distance[u - left] < static_cast<float>(band)) {
-            add(u, v, tile.meterPerPixel);
+            add(u, v, derivative);
           }
           phase = phase + 1 < keep ? phase + 1 : 0;
         }

@@ -48,6 +48,16 @@ inline namespace CIRCLE_MARKER_LANES {
 constexpr int laneCount = 8;
 #ifndef CIRCLE_MARKER_WIDE_LANES
 using Lanes = Eigen::Array<float, laneCount, 1>;
+
+/*! The sum of each of laneCount blocks of lanes. */
+inline Lanes sumOfEach(const Lanes *blocks)
+{
+  Lanes sums;
+  for (int k = 0; k < laneCount; ++k) {
+    sums[k] = blocks[k].sum();
+  }
+  return sums;
+}
 #endif
 
 /*! 1 where a value is positive, else 0. */

@@ -55,7 +55,8 @@ constexpr std::size_t groupsToFlush = 8;
 class Sums
 {
 public:
-  explicit Sums(std::vector<SumsOfDirection> &sums) : m_sums(sums)
+  // used: number of parameters that any pixel depends on, the first ones.
+  Sums(std::vector<SumsOfDirection> &sums, std::size_t used) : m_used(used), m_sums(sums)
   {
     m_sums.clear();
     clear();
@@ -72,7 +73,7 @@ public:
     }
     const RowLanes &row = m_rows[m_pending];
     RowLanes &weighted = m_weighted[m_pending];
-    for (std::size_t i = 0; i < parameters; ++i) {
+    for (std::size_t i = 0; i < m_used; ++i) {
       weighted[i] = loss.weight * row[i];
       m_lanes[products + i] += weighted[i] * residual;
     }
@@ -88,7 +89,7 @@ public:
   {
     if (m_pending > 0) {
       for (; m_pending < blocksOfGroup; ++m_pending) {
-        for (std::size_t i = 0; i < parameters; ++i) {
+        for (std::size_t i = 0; i < m_used; ++i) {
           m_rows[m_pending][i].setZero();
           m_weighted[m_pending][i].setZero();
         }
@@ -133,7 +134,7 @@ private:
   void closeGroup()
   {
     std::size_t k = 0;
-    for (std::size_t i = 0; i < parameters; ++i) {
+    for (std::size_t i = 0; i < m_used; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
         Lanes sum = m_lanes[k];
         for (std::size_t block = 0; block < blocksOfGroup; ++block) {
@@ -157,8 +158,11 @@ private:
       m_sums.resize(m_direction + 1);
     }
     SumsOfDirection &sums = m_sums[m_direction];
-    for (std::size_t k = 0; k < sumsOfDirection; ++k) {
-      sums[k] += static_cast<double>(m_lanes[k].sum());
+    for (std::size_t k = 0; k < sumsOfDirection; k += laneCount) {
+      const Lanes each = sumOfEach(&m_lanes[k]);
+      for (std::size_t i = 0; i < laneCount; ++i) {
+        sums[k + i] += static_cast<double>(each[static_cast<std::ptrdiff_t>(i)]);
+      }
     }
     clear();
   }
@@ -166,6 +170,7 @@ private:
   std::array<Lanes, sumsOfDirection> m_lanes;
   std::array<RowLanes, blocksOfGroup> m_rows;
   std::array<RowLanes, blocksOfGroup> m_weighted;
+  const std::size_t m_used;    // parameters
   std::size_t m_pending = 0;   // blocks of the present group
   std::size_t m_groups = 0;    // since the last flush
   std::size_t m_direction = 0; // of the first of them
@@ -230,7 +235,7 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
 Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &photometry, double noise)
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
-  Sums sums(m_memory.trialSums);
+  Sums sums(m_memory.trialSums, static_cast<std::size_t>(m_memory.blocks.surrounds.empty() ? surroundAt : parameters));
   m_memory.trial.clear();
   DarknessLanes darkness;
   std::size_t k = 0;

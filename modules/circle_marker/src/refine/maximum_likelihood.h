@@ -60,9 +60,9 @@ using ParameterVector = Eigen::Matrix<double, parameters, 1>;
 using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
 
 // Sums over the pixels of a direction: the lower triangle of the equations' matrix, row by row, their right-hand side,
-// the cost and what it takes to know the noise.
+// the cost and what it takes to know the noise; a whole number of blocks of lanes.
 constexpr int products = parameters * (parameters + 1) / 2;
-constexpr std::size_t sumsOfDirection = products + parameters + 3;
+constexpr std::size_t sumsOfDirection = (products + parameters + 3 + laneCount - 1) / laneCount * laneCount;
 using SumsOfDirection = std::array<double, sumsOfDirection>;
 
 /*! Working memory of fits, used again from one to the next. */

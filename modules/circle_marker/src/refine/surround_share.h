@@ -53,12 +53,13 @@ public:
     }
   }
 
-  // Whether the pixel sees enough of the marker.
-  bool complete(const ModelPixel &model, FitPixel &pixel) const
+  // Whether any pixel of the tile may see the surround.
+  bool isNear() const { return m_isNear; }
+
+  // Puts what a pixel of such a tile sees; whether it sees enough of the marker. meter: where it is, exactly.
+  bool complete(const Eigen::Vector2d &meter, FitPixel &pixel) const
   {
-    if (!m_isNear) {
-      return true;
-    }
+    const ModelPixel model = {meter, pixel.meterPerPixel.cast<double>()};
     for (std::size_t i = 0; i < m_count; ++i) {
       const PlanePoint point = planePoint({model.meter, model.meterPerPixel * m_blurShape}, m_planes[i]);
       if (point.q.norm() < m_outermost - clearOfSurround * m_blur * point.byPixel.norm()) {
@@ -80,7 +81,7 @@ public:
     return true;
   }
 
-  // Tells whether any pixel of the tile around a pixel may see the surround.
+  // Goes to the tile around a pixel.
   void enter(const ModelPixel &center)
   {
     m_isNear = false;
