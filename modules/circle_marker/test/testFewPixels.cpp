@@ -29,8 +29,9 @@ std::vector<FitPixel> select(const MarkerScene &scene, unsigned int side, int id
   const MarkerPlane plane = scene.plane();
   const std::array<MarkerPlane, 2> planes = {plane, plane};
   std::vector<FitPixel> pixels(3); // left over from before
-  selectFewPixels(vpImage<unsigned char>(side, side, 100), CameraModel(scene.camera()), planes.data(), hypotheses,
-                  patternOf(scene.family, id, scene.family.getLayout().ringInner), BlurParameters(), pixels);
+  selectFewPixels(vpImage<unsigned char>(side, side, 100), CameraModel(scene.camera()), scene.frame(), planes.data(),
+                  hypotheses, patternOf(scene.family, id, scene.family.getLayout().ringInner), BlurParameters(),
+                  pixels);
   return pixels;
 }
 } // namespace

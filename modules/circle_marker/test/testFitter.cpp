@@ -40,7 +40,8 @@ Outcome outcomeOf(Fitter &fitter, const vpImage<unsigned char> &I, const MarkerS
   Outcome outcome;
   const MarkerPattern pattern = patternOf(scene.family, id, scene.family.getLayout().ringInner);
   const MarkerPlane plane = scene.plane();
-  fitter.selectPixels(I, CameraModel(scene.camera()), &plane, 1, pattern, BlurParameters(), 20000., outcome.pixels);
+  fitter.selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, BlurParameters(), 20000.,
+                      outcome.pixels);
   FitSettings settings;
   settings.spinIsKnown = scene.family.isCoded();
   settings.growth = scene.family.getType() != vpCircleMarkerFamily::DISC;

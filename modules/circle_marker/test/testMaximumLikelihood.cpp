@@ -47,7 +47,8 @@ Case makeCase(const MarkerScene &scene, int id, const vpImage<unsigned char> &I)
 {
   Case made = {scene, patternOf(scene.family, id, scene.family.getLayout().ringInner), {}};
   const MarkerPlane plane = scene.plane();
-  selectPixels(I, CameraModel(scene.camera()), &plane, 1, made.pattern, BlurParameters(), 3000., made.pixels);
+  selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, BlurParameters(), 3000.,
+               made.pixels);
   return made;
 }
 
@@ -180,6 +181,51 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
   }
 }
 
+TEST(MaximumLikelihood, ExactUnderTheEdgeOfAShadow)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I(side, side, 0);
+  for (const vpCircleMarkerFamily::vpType type : families) {
+    const vpCircleMarkerFamily family(type);
+    for (int i = 0; i < 10; ++i) {
+      const int id = randomId(random, family);
+      Case made =
+          makeCase(markerScene(random, family, id, uniform(random, 60., 90.), uniform(random, 0.2, 0.9), side), id, I);
+      fillFromModel(made, Light(), BlurParameters(), 0., random);
+      Shadow shadow;
+      shadow.factor = uniform(random, 0.3, 0.7);
+      shadow.direction = uniform(random, -M_PI, M_PI);
+      shadow.edge = uniform(random, -0.3, 0.3);
+      shadow.softness = uniform(random, 0.05, 0.15);
+      for (FitPixel &pixel : made.pixels) {
+        const Eigen::Vector2d offset = pixel.offset.cast<double>();
+        const double beyond =
+            (offset.dot(Eigen::Vector2d(std::cos(shadow.direction), std::sin(shadow.direction))) - shadow.edge) /
+            shadow.softness;
+        pixel.grey *= static_cast<float>(1. - (1. - shadow.factor) * 0.5 * std::erfc(-beyond * M_SQRT1_2));
+      }
+      FitSettings settings = settingsOf(family);
+      settings.exactBends = false;
+      settings.convergence = 0.003;
+      settings.shadow = shadow;
+      settings.shadow->factor += uniform(random, -0.05, 0.05);
+      settings.shadow->direction += uniform(random, -0.05, 0.05);
+      settings.shadow->edge += uniform(random, -0.03, 0.03);
+      settings.shadow->softness = 0.08;
+      const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.01), made.pattern, settings);
+      ASSERT_TRUE(fit && fit->photometry.shadow) << family.getName() << " " << i;
+      const MarkerPlane truth = made.scene.plane();
+      EXPECT_LT((fit->plane.center - truth.center).norm() / truth.center.z(), 2e-6) << family.getName() << " " << i;
+      EXPECT_LT((fit->plane.rotation.col(2) - truth.rotation.col(2)).norm(), 5e-6) << family.getName() << " " << i;
+      EXPECT_NEAR(fit->photometry.shadow->factor, shadow.factor, 1e-4);
+      EXPECT_NEAR(wrapped(fit->photometry.shadow->direction - shadow.direction), 0., 1e-3);
+      EXPECT_NEAR(fit->photometry.shadow->edge, shadow.edge, 1e-3);
+      EXPECT_NEAR(fit->photometry.shadow->softness, shadow.softness, 1e-3);
+      EXPECT_GT(fit->inliers, 0.99);
+    }
+  }
+}
+
 namespace {
 //! Mean of Mahalanobis distances squared over 200 fits of the model's own images with noise.
 double meanMahalanobis(const vpCircleMarkerFamily &family, double diameter, Random &random, double &noise)
@@ -270,7 +316,7 @@ TEST(MaximumLikelihood, MotionIsNoError)
     const MarkerPlane plane = scene.plane();
     BlurParameters blur;
     blur.sigma = 1.2;
-    selectPixels(I, CameraModel(scene.camera()), &plane, 1, made.pattern, blur, 3000., made.pixels);
+    selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, blur, 3000., made.pixels);
     const auto fit = fitAll(made.pixels, disturbed(plane, random, 0.01), made.pattern, settingsOf(family));
     ASSERT_TRUE(fit);
     sum += mahalanobis(*fit, plane, true);

@@ -33,6 +33,7 @@
 #include <visp3/core/vpImage.h>
 
 #include "pose/marker_plane.h"
+#include "refine/fit_pixel.h"
 #include "testRandom.h"
 
 #ifdef ENABLE_VISP_NAMESPACE
@@ -221,6 +222,12 @@ struct MarkerScene
   }
 
   vpCameraParameters camera() const { return vpCameraParameters(focal, focal, principal.x(), principal.y()); }
+
+  //! Coordinates of the image about it.
+  circle_marker::ImageFrame frame() const
+  {
+    return {focal * center.head<2>() / center.z() + principal, focal * radius / center.z()};
+  }
 
   //! The true pose as the detector's rooms have it.
   circle_marker::MarkerPlane plane() const

@@ -51,14 +51,15 @@ template <int fitted> struct Part
   bool isSeen = false;
 };
 
-// step: the last one from where the sums were made.
+// step: the last one from where the sums were made; used: number of parameters.
 template <int fitted>
-Part<fitted> partOf(const SumsOfDirection &sums, const Influence<fitted> &influence, const ParameterVector &step)
+Part<fitted> partOf(const SumsOfDirection &sums, const Influence<fitted> &influence, const ParameterVector &step,
+                    int used)
 {
-  ParameterMatrix information;
-  ParameterVector pull;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, parameters, parameters> information(used, used);
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, parameters, 1> pull(used);
   std::size_t k = 0;
-  for (int i = 0; i < parameters; ++i) {
+  for (int i = 0; i < used; ++i) {
     for (int j = 0; j <= i; ++j) {
       information(i, j) = sums[k++];
       information(j, i) = information(i, j);
@@ -66,8 +67,10 @@ Part<fitted> partOf(const SumsOfDirection &sums, const Influence<fitted> &influe
     pull[i] = sums[static_cast<std::size_t>(products + i)];
   }
   // Matrices this small are multiplied faster term by term than by blocks.
-  const Influence<fitted> moved = influence.lazyProduct(information);
-  return {influence * pull - moved * step, moved.lazyProduct(influence.transpose()), information(0, 0) > 0.};
+  const auto known = influence.leftCols(used);
+  const Eigen::Matrix<double, fitted, Eigen::Dynamic, 0, fitted, parameters> moved = known.lazyProduct(information);
+  return {known.lazyProduct(pull) - moved.lazyProduct(step.head(used)), moved.lazyProduct(known.transpose()),
+          information(0, 0) > 0.};
 }
 
 // By how much the parts together move the pose more than independent noise would; 1 if that is within chance.
@@ -112,13 +115,13 @@ template <int fitted> std::vector<Part<fitted>> pairsOf(const std::vector<Part<f
 }
 template <int fitted>
 double coherenceOf(const std::vector<SumsOfDirection> &sums, const ParameterMatrix &inverse,
-                   const ParameterVector &step, double noise)
+                   const ParameterVector &step, double noise, int used)
 {
   const Influence<fitted> influence = inverse.topRows<fitted>();
   const Eigen::Matrix<double, fitted, fitted> known = inverse.topLeftCorner<fitted, fitted>().inverse();
   std::vector<Part<fitted>> parts;
   for (std::size_t direction = 0; direction < directions; ++direction) {
-    parts.push_back(direction < sums.size() ? partOf<fitted>(sums[direction], influence, step) : Part<fitted>());
+    parts.push_back(direction < sums.size() ? partOf<fitted>(sums[direction], influence, step, used) : Part<fitted>());
   }
   double largest = excessOf<fitted>(parts, known, noise);
   while (parts.size() > leastCount) {
@@ -129,10 +132,10 @@ double coherenceOf(const std::vector<SumsOfDirection> &sums, const ParameterMatr
 }
 } // namespace
 
-double Likelihood::coherence(const ParameterMatrix &inverse, const ParameterVector &step, double noise) const
+double Likelihood::coherence(const ParameterMatrix &inverse, const ParameterVector &step, double noise, int used) const
 {
-  return m_settings.spinIsKnown ? coherenceOf<poseSize>(m_memory.sums, inverse, step, noise)
-                                : coherenceOf<spinAt>(m_memory.sums, inverse, step, noise);
+  return m_settings.spinIsKnown ? coherenceOf<poseSize>(m_memory.sums, inverse, step, noise, used)
+                                : coherenceOf<spinAt>(m_memory.sums, inverse, step, noise, used);
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

@@ -41,13 +41,11 @@ constexpr double leastSurround = 0.001;
 class Rows
 {
 public:
-  Rows(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane, const BlurParameters &blur,
-       double outermost, std::vector<FitPixel> &pixels)
-      : m_image(I), m_camera(camera), m_plane(plane), m_blur(blur.sigma), m_blurShape(blur.shape()),
+  Rows(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame, const MarkerPlane &plane,
+       const BlurParameters &blur, double outermost, std::vector<FitPixel> &pixels)
+      : m_image(I), m_camera(camera), m_frame(frame), m_plane(plane), m_blur(blur.sigma), m_blurShape(blur.shape()),
         m_outermost(outermost), m_pixels(pixels)
   {
-    m_center = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
-    m_size = (camera.toPixel(plane.project(Eigen::Vector2d(1., 0.))) - m_center).norm();
   }
 
   // A row across an edge at the point q of the plane; across: a direction of the plane that leads off the edge.
@@ -86,31 +84,30 @@ private:
       beyond.share = static_cast<float>(share);
       beyond.spread = HUGE_VALF;
     }
-    pixel.offset = ((where - m_center) / m_size).cast<float>();
+    pixel.offset = ((where - m_frame.center) / m_frame.size).cast<float>();
     pixel.grey = m_image[static_cast<unsigned int>(where.y())][static_cast<unsigned int>(where.x())];
     m_pixels.push_back(pixel);
   }
 
   const vpImage<unsigned char> &m_image;
   const CameraModel &m_camera;
+  const ImageFrame m_frame;
   const MarkerPlane &m_plane;
   const double m_blur; // pixels, where it is round
   const Eigen::Matrix2d m_blurShape;
   const double m_outermost;
   std::vector<FitPixel> &m_pixels;
-  Eigen::Vector2d m_center;
-  double m_size;
 };
 } // namespace
 
-void selectFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                     std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur,
-                     std::vector<FitPixel> &pixels)
+void selectFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
+                     const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
+                     const BlurParameters &blur, std::vector<FitPixel> &pixels)
 {
   pixels.clear();
   const int hypotheses = static_cast<int>(count);
   for (int h = 0; h < hypotheses; ++h) {
-    Rows rows(I, camera, planes[h], blur, pattern.paper[0].extent, pixels);
+    Rows rows(I, camera, frame, planes[h], blur, pattern.paper[0].extent, pixels);
     for (unsigned int i = 0; i < pattern.ringEdges; ++i) {
       for (int k = h; k < rowsOfCircle; k += hypotheses) {
         // The two circles' rows alternate in angle.

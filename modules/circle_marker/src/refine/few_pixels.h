@@ -32,14 +32,15 @@ namespace circle_marker {
   pose well enough to go on from with all pixels (selectPixels()).
   \param I : The image.
   \param camera : Its camera.
+  \param frame : Coordinates of the pixels' offsets.
   \param planes, count : The hypotheses; each gets its share of the rows.
   \param pattern : The print.
   \param blur : Blur expected at the edges: the spacing of the pixels in a row.
   \param pixels : The result; its memory is used again. A small marker's rows may share pixels.
 */
-void selectFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                     std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur,
-                     std::vector<FitPixel> &pixels);
+void selectFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
+                     const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
+                     const BlurParameters &blur, std::vector<FitPixel> &pixels);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

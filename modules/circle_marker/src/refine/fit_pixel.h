@@ -33,6 +33,13 @@ struct ModelPixel
   Eigen::Matrix2d meterPerPixel; //!< Their derivative with respect to the pixel.
 };
 
+/*! Coordinates of the image about a marker: pixels from its centre, in units of about its radius. */
+struct ImageFrame
+{
+  Eigen::Vector2d center; //!< Pixels.
+  double size;            //!< Pixels.
+};
+
 /*! What a pixel sees of what lies beyond the paper. */
 struct BeyondPaper
 {
@@ -55,10 +62,9 @@ struct FitPixel
 
   Eigen::Vector2f meter = Eigen::Vector2f::Zero();         //!< Normalised coordinates of its centre.
   Eigen::Matrix2f meterPerPixel = Eigen::Matrix2f::Zero(); //!< Their derivative with respect to the pixel.
-  Eigen::Vector2f offset =
-      Eigen::Vector2f::Zero(); //!< From the marker's centre, in units of its image's size: for the light's gradient.
-  float grey = 0.f;            //!< Measured grey level.
-  std::array<BeyondPaper, paperShapes> beyond{}; //!< What may lie beyond the paper, by its shape.
+  Eigen::Vector2f offset = Eigen::Vector2f::Zero();        //!< In the coordinates of an ImageFrame: for the light.
+  float grey = 0.f;                                        //!< Measured grey level.
+  std::array<BeyondPaper, paperShapes> beyond{};           //!< What may lie beyond the paper, by its shape.
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -87,9 +87,9 @@ double edgeLength(const MarkerPattern &pattern, double meanRadius)
 
 } // namespace
 
-void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                  std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur, double most,
-                  std::vector<FitPixel> &pixels)
+void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
+                  const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
+                  const BlurParameters &blur, double most, std::vector<FitPixel> &pixels)
 {
   pixels.clear();
   count = std::min(count, mostHypotheses);
@@ -97,7 +97,6 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   const double longer = blur.widest() / blur.sigma;
   const double outermost = pattern.paper[0].extent;
   const Box box = boundingBox(I, camera, planes, count, outermost);
-  const Eigen::Vector2d center = camera.toPixel(planes[0].project(Eigen::Vector2d::Zero()));
   const double size = 0.25 * (box.right - box.left + box.bottom - box.top) / outermost;
   const double band = (2. * size < smallMarker ? bandOfSmall : bandOfBlur) * blur.sigma + longer * poseErrorOfSelection;
   const double expected = 2. * band * edgeLength(pattern, size);
@@ -108,7 +107,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   SurroundShare surround(I, camera, planes, count, pattern.paper, blur);
   std::array<TileView, mostHypotheses> hypotheses = {
       {{planes[0], pattern, band, blur.shape()}, {planes[count - 1], pattern, band, blur.shape()}}};
-  const double perSize = 1. / size;
+  const double perSize = 1. / frame.size;
   const bool isLinear = camera.isLinear();
   const Eigen::Vector2d corner = camera.toMeter(Eigen::Vector2d::Zero());
   const Eigen::Vector2d perPixel = camera.meterPerPixel(Eigen::Vector2d::Zero()).diagonal(); // if linear
@@ -119,7 +118,8 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
     FitPixel &pixel = pixels.emplace_back();
     pixel.meter = meter.cast<float>();
     pixel.meterPerPixel = meterPerPixel;
-    pixel.offset << static_cast<float>(perSize * (u - center.x())), static_cast<float>(perSize * (v - center.y()));
+    pixel.offset << static_cast<float>(perSize * (u - frame.center.x())),
+        static_cast<float>(perSize * (v - frame.center.y()));
     pixel.grey = I[v][u];
     if (surround.isNear() && !surround.complete(meter, pixel)) {
       pixels.pop_back();

@@ -34,15 +34,16 @@ inline namespace CIRCLE_MARKER_LANES {
   and a few of the flat areas that fix white and black. Very large markers are thinned to keep the number bounded.
   \param I : The image.
   \param camera : Its camera.
+  \param frame : Coordinates of the pixels' offsets.
   \param planes, count : The hypotheses.
   \param pattern : The print.
   \param blur : Blur expected at the edges: the width of the band around them.
   \param most : Number of pixels from which the marker is thinned.
   \param pixels : The result; its memory is used again.
 */
-void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                  std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur, double most,
-                  std::vector<FitPixel> &pixels);
+void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
+                  const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
+                  const BlurParameters &blur, double most, std::vector<FitPixel> &pixels);
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

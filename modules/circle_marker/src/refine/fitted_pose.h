@@ -43,6 +43,8 @@ struct FittedPose
 struct FitSettings
 {
   bool spinIsKnown = true; //!< Whether the code fixes the spin: else it stays as it is.
+  std::optional<Shadow>
+      shadow;              //!< Where a fit without photometry starts with the shadow on the marker, if there is one.
   bool growth = true;      //!< Whether black may be larger than designed.
   bool exactBends = true;  //!< Whether edges that bend strongly are corrected (correctBends()).
   double poseError = 1.;   //!< How far a fit may go until its pixels are sorted anew, pixels.

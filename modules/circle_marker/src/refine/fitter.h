@@ -45,9 +45,9 @@ public:
   virtual ~Fitter() = default;
 
   /*! See circle_marker::selectPixels(). */
-  virtual void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                            std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur, double most,
-                            std::vector<FitPixel> &pixels) = 0;
+  virtual void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
+                            const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
+                            const BlurParameters &blur, double most, std::vector<FitPixel> &pixels) = 0;
 
   /*! See circle_marker::fitPose(). */
   virtual std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const FitStart &start,

@@ -25,6 +25,7 @@
 #define VP_CIRCLE_MARKER_GREY_MODEL_H
 
 #include <array>
+#include <cmath>
 
 #include "refine/likelihood.h"
 
@@ -70,6 +71,38 @@ template <class Use> void forEachBlock(const PixelBlocks &blocks, const Use &use
   }
 }
 
+// The share of the light that a shadow leaves, and its derivatives.
+struct ShadowLanes
+{
+  Lanes value;
+  std::array<Lanes, shadowSize> by;
+};
+
+inline ShadowLanes shadowOf(const PixelBlock &block, const Shadow &shadow)
+{
+  const auto cosine = static_cast<float>(std::cos(shadow.direction));
+  const auto sine = static_cast<float>(std::sin(shadow.direction));
+  const auto perSoftness = static_cast<float>(1. / shadow.softness);
+  const auto lost = static_cast<float>(1. - shadow.factor);
+  const Lanes z = perSoftness * (cosine * block.offsetU + sine * block.offsetV - static_cast<float>(shadow.edge));
+  const NormalLanes normal = normalOf(z);
+  const Lanes slope = lost * perSoftness * normal.density;
+  ShadowLanes lanes;
+  lanes.value = 1.f - lost * normal.cumulative;
+  lanes.by[0] = normal.cumulative;                                       // factor
+  lanes.by[1] = slope * (sine * block.offsetU - cosine * block.offsetV); // direction
+  lanes.by[2] = slope;                                                   // edge
+  lanes.by[3] = slope * z.max(-6.5f).min(6.5f);                          // softness
+  return lanes;
+}
+
+// The light on white paper without a shadow.
+inline Lanes lightOf(const PixelBlock &block, const Photometry &photometry)
+{
+  return static_cast<float>(photometry.light) + static_cast<float>(photometry.lightGradient.x()) * block.offsetU +
+         static_cast<float>(photometry.lightGradient.y()) * block.offsetV;
+}
+
 // The grey levels of a block as the model has them.
 struct GreyLanes
 {
@@ -84,8 +117,10 @@ inline GreyLanes greyOf(const PixelBlock &block, const SurroundLanes *surround, 
                         const Lanes &darkness)
 {
   GreyLanes grey;
-  grey.light = static_cast<float>(photometry.light) + static_cast<float>(photometry.lightGradient.x()) * block.offsetU +
-               static_cast<float>(photometry.lightGradient.y()) * block.offsetV;
+  grey.light = lightOf(block, photometry);
+  if (photometry.shadow) {
+    grey.light = grey.light * shadowOf(block, *photometry.shadow).value;
+  }
   grey.reflectance = 1.f - static_cast<float>(photometry.contrast) * darkness;
   grey.residual = block.grey - grey.light * grey.reflectance;
   grey.paper.setOnes();
@@ -108,7 +143,15 @@ inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const 
   for (std::size_t k = 0; k < poseSize; ++k) {
     row[k] = byDarkness * darkness.byTwist[k];
   }
-  const Lanes byLight = grey.reflectance + grey.paper - 1.f;
+  Lanes byLight = grey.reflectance + grey.paper - 1.f;
+  if (photometry.shadow) {
+    const ShadowLanes shadow = shadowOf(block, *photometry.shadow);
+    const Lanes byShadow = byLight * lightOf(block, photometry);
+    for (std::size_t k = 0; k < shadowSize; ++k) {
+      row[shadowAt + k] = byShadow * shadow.by[k];
+    }
+    byLight = byLight * shadow.value;
+  }
   row[lightAt] = byLight;
   row[gradientAt] = byLight * block.offsetU;
   row[gradientAt + 1] = byLight * block.offsetV;

@@ -29,11 +29,11 @@ inline namespace CIRCLE_MARKER_LANES {
 class LanesFitter final : public Fitter
 {
 public:
-  void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                    std::size_t count, const MarkerPattern &pattern, const BlurParameters &blur, double most,
-                    std::vector<FitPixel> &pixels) override
+  void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
+                    const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
+                    const BlurParameters &blur, double most, std::vector<FitPixel> &pixels) override
   {
-    CIRCLE_MARKER_LANES::selectPixels(I, camera, planes, count, pattern, blur, most, pixels);
+    CIRCLE_MARKER_LANES::selectPixels(I, camera, frame, planes, count, pattern, blur, most, pixels);
   }
 
   std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const FitStart &start,

@@ -42,6 +42,8 @@ constexpr double elongationPrior = 0.03;
 // The paper mostly ends where it may, at a square or, less often, at a circle, or goes on in some directions.
 constexpr std::array<double, paperShapes> expectedSurround = {{0.25, 0.5}};
 constexpr double surroundPrior = 0.5;
+// Steps of a shadow's parameters have this standard deviation at most.
+constexpr double shadowPrior = 0.3;
 // In the first guess of light and contrast, before the noise is known, a pixel with this variance, grey levels^2, from
 // the surround counts half.
 constexpr float guessedVariance = 25.f;
@@ -213,7 +215,13 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
         print -= share * surround->beyond[shape];
       }
     }
-    const std::array<Lanes, 4> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness.value};
+    std::array<Lanes, 4> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness.value};
+    if (photometry.shadow) {
+      const Lanes share = shadowOf(block, *photometry.shadow).value;
+      for (Lanes &lanes : row) {
+        lanes = share * lanes;
+      }
+    }
     for (int i = 0; i < 4; ++i) {
       const Lanes weighted = weight * row[static_cast<std::size_t>(i)];
       for (int j = 0; j < 4; ++j) {
@@ -235,7 +243,8 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
 Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &photometry, double noise)
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
-  Sums sums(m_memory.trialSums, static_cast<std::size_t>(m_memory.blocks.surrounds.empty() ? surroundAt : parameters));
+  const int used = photometry.shadow ? parameters : m_memory.blocks.surrounds.empty() ? surroundAt : shadowAt;
+  Sums sums(m_memory.trialSums, static_cast<std::size_t>(used));
   m_memory.trial.clear();
   DarknessLanes darkness;
   std::size_t k = 0;
@@ -257,6 +266,7 @@ Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &phot
     sums.add(grey.residual, loss, m_settings.exactBends ? direction : 0);
   });
   Equations equations = sums.equations();
+  equations.used = used;
   constrain(photometry, noise, equations);
   return equations;
 }
@@ -324,6 +334,10 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
   }
   if (!m_settings.spinIsKnown) {
     hold(spinAt);
+  }
+  // Of a shadow whose edge passes beside the marker not everything is known.
+  for (int k = 0; k < shadowSize; ++k) {
+    equations.matrix(shadowAt + k, shadowAt + k) += noise * noise / (shadowPrior * shadowPrior);
   }
 }
 } // namespace CIRCLE_MARKER_LANES

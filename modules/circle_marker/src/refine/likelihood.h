@@ -43,7 +43,8 @@ struct Equations
 {
   ParameterMatrix matrix = ParameterMatrix::Zero();
   ParameterVector right = ParameterVector::Zero();
-  double cost = 0.; //!< Robust sum of squares, grey levels^2.
+  int used = parameters; //!< Number of parameters, the first ones, that any pixel depends on.
+  double cost = 0.;      //!< Robust sum of squares, grey levels^2.
   //! Weighted sum of squared residuals, grey levels^2, and number of pixels, each as far as it is not taken for an
   //! outlier; of pixels that tell the noise: what the surround may add is not known well enough.
   double squares = 0.;
@@ -99,8 +100,9 @@ public:
     \param inverse : Of the matrix of the equations kept.
     \param step : Last step from where these were made.
     \param noise : Grey levels.
+    \param used : Number of parameters, the first ones, that any pixel depends on.
   */
-  double coherence(const ParameterMatrix &inverse, const ParameterVector &step, double noise) const;
+  double coherence(const ParameterMatrix &inverse, const ParameterVector &step, double noise, int used) const;
 
   /*! The residuals at a pose, without equations. */
   void evaluate(const MarkerPlane &plane, const Photometry &photometry);

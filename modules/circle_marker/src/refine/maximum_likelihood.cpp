@@ -31,6 +31,11 @@ namespace {
 // The blur stays between that of the pixel's own area and one that no marker is recognised through, pixels.
 constexpr double leastSigma = 0.29;
 constexpr double mostSigma = 20.;
+// What a shadow leaves of the light, and the softness of its edge, in units of the marker's size.
+constexpr double leastFactor = 0.02;
+constexpr double mostFactor = 1.;
+constexpr double leastSoftness = 0.003;
+constexpr double mostSoftness = 1.;
 // The noise is estimated again after each of the first steps; later ones keep it, so that they have one cost to lower.
 constexpr int mostNoiseUpdates = 5;
 // Below this damping a step is as long as the equations want it: only then a short one means convergence.
@@ -82,6 +87,24 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     photometry.surround[shape] += step[surroundAt + static_cast<int>(shape)];
   }
+  if (photometry.shadow) {
+    Shadow &shadow = *photometry.shadow;
+    shadow.factor = std::clamp(shadow.factor + step[shadowAt], leastFactor, mostFactor);
+    shadow.direction += step[shadowAt + 1];
+    shadow.edge += step[shadowAt + 2];
+    shadow.softness = std::clamp(shadow.softness + step[shadowAt + 3], leastSoftness, mostSoftness);
+  }
+}
+
+// Of the parameters that any pixel depends on.
+using UsedMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, parameters, parameters>;
+
+// Solves the equations of the first parameters; the others stay as they are.
+ParameterVector solve(const ParameterMatrix &matrix, const ParameterVector &right, Eigen::Index used)
+{
+  ParameterVector solution = ParameterVector::Zero();
+  solution.head(used) = UsedMatrix(matrix.topLeftCorner(used, used)).ldlt().solve(right.head(used));
+  return solution;
 }
 
 // Standard deviation of the noise from the weighted residuals: more efficient than the median.
@@ -195,6 +218,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
     result.photometry = *start.photometry;
   }
   else {
+    result.photometry.shadow = settings.shadow;
     preparation.sort(result.plane, result.photometry, 0.);
     if (!fit.startPhotometry(result.plane, result.photometry)) {
       return std::nullopt;
@@ -223,7 +247,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
   for (int iteration = 0; iteration < settings.mostIterations; ++iteration) {
     ParameterMatrix damped = equations.matrix;
     damped.diagonal() *= 1. + damping;
-    ParameterVector step = damped.ldlt().solve(equations.right);
+    ParameterVector step = solve(damped, equations.right, equations.used);
     if (!step.allFinite()) {
       return std::nullopt;
     }
@@ -279,11 +303,15 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
   const Explanation explanation = fit.explain(noise);
   result.inliers = explanation.inliers;
   result.correlation = explanation.correlation;
-  const ParameterMatrix inverse = equations.matrix.ldlt().solve(ParameterMatrix::Identity());
+  ParameterMatrix inverse = ParameterMatrix::Zero();
+  inverse.topLeftCorner(equations.used, equations.used) =
+      UsedMatrix(equations.matrix.topLeftCorner(equations.used, equations.used))
+          .ldlt()
+          .solve(UsedMatrix::Identity(equations.used, equations.used));
   if (!inverse.allFinite()) {
     return std::nullopt;
   }
-  const double coherence = settings.exactBends ? fit.coherence(inverse, lastStep, noise) : 1.;
+  const double coherence = settings.exactBends ? fit.coherence(inverse, lastStep, noise, equations.used) : 1.;
   Eigen::Matrix<double, 6, 6> covariance =
       coherence * biweightCovariance * result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
   if (!settings.spinIsKnown) {

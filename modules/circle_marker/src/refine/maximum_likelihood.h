@@ -44,7 +44,8 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 // Places of the parameters in vectors and matrices: twist of the pose (image_model.h), light and its gradient,
-// contrast, blur, its elongation, growth, spread, share of the surround for each shape of the paper.
+// contrast, blur, its elongation, growth, spread, share of the surround for each shape of the paper, a shadow's factor,
+// direction, edge and softness. Where no pixel depends on the last of them only those before are worked on.
 constexpr int poseSize = 6;
 constexpr int spinAt = 5;
 constexpr int lightAt = 6;
@@ -55,7 +56,9 @@ constexpr int elongationAt = 11;
 constexpr int growthAt = 13;
 constexpr int spreadAt = 14;
 constexpr int surroundAt = 15;
-constexpr int parameters = surroundAt + static_cast<int>(paperShapes);
+constexpr int shadowAt = surroundAt + static_cast<int>(paperShapes);
+constexpr int shadowSize = 4;
+constexpr int parameters = shadowAt + shadowSize;
 using ParameterVector = Eigen::Matrix<double, parameters, 1>;
 using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
 

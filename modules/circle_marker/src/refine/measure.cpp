@@ -25,6 +25,7 @@
 #include <Eigen/LU>
 
 #include "refine/few_pixels.h"
+#include "refine/shadow.h"
 #include "refine/surround.h"
 
 BEGIN_VISP_NAMESPACE
@@ -38,6 +39,10 @@ constexpr double leastCorrelationWithoutCode = 0.94;
 constexpr double leastCorrelationUnrefined = 0.6;
 // Share of the pixels that the model must explain.
 constexpr double leastInliers = 0.5;
+// Residuals larger than this, grey levels, are not noise, of which there are 20 at most, and no ink takes more than all
+// light away.
+constexpr double mostNoise = 32.;
+constexpr double mostContrast = 1.1;
 // Two fits closer than this, in standard deviations, are one pose.
 constexpr double samePose = 0.3;
 
@@ -186,6 +191,13 @@ void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
   }
 }
 
+// Coordinates of the light on a marker.
+ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera)
+{
+  return {camera.toPixel(plane.project(Eigen::Vector2d::Zero())),
+          plane.radius / (plane.center.z() * meterPerPixelAt(plane, camera))};
+}
+
 // Fits on the same pixels, the best first, and its noise.
 struct RankedFits
 {
@@ -195,15 +207,16 @@ struct RankedFits
 
 // Coarse fits from all starts on few pixels around them; if the best has come far from its start, again on the pixels
 // around where it is now.
-RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                        const MarkerPattern &pattern, const FitSettings &settings, MeasureMemory &memory)
+RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
+                        const Recognition &marker, const MarkerPattern &pattern, const FitSettings &settings,
+                        MeasureMemory &memory)
 {
   RankedFits ranked;
   std::vector<MarkerPlane> around(marker.poses.begin(), marker.poses.end());
   std::vector<FitStart> starts = startsOf(marker.poses, camera, settings.spinIsKnown);
   BlurParameters blur; // of a sharp picture
   for (int look = 0; look < mostLooks; ++look) {
-    selectFewPixels(I, camera, around.data(), around.size(), pattern, blur, memory.pixels);
+    selectFewPixels(I, camera, frame, around.data(), around.size(), pattern, blur, memory.pixels);
     dropCovered(marker, memory.pixels);
     std::vector<FittedPose> fits = fitAll(memory.pixels, starts, pattern, settings, *memory.fitter);
     if (fits.empty()) {
@@ -250,16 +263,19 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   settings.poseError = fineError;
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
 
+  const ImageFrame frame = frameOf(marker.poses[0], camera);
+  settings.shadow = shadowOn(I, camera, frame, marker.poses[0], marker.family.getLayout().quietZone);
+
   // All starts on few pixels, to know which are worth more and how wide the blur is.
   FitSettings coarse = settings;
   coarse.convergence = coarseConvergence;
   coarse.poseError = coarseError;
   coarse.exactBends = false;
   coarse.mostIterations = refine ? coarseIterations : 0;
-  RankedFits few = fitFewPixels(I, camera, marker, pattern, coarse, memory);
+  RankedFits few = fitFewPixels(I, camera, frame, marker, pattern, coarse, memory);
   if (marker.ringInner != marker.family.getLayout().ringInner && !isRightRing(few)) {
     pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
-    few = fitFewPixels(I, camera, marker, pattern, coarse, memory);
+    few = fitFewPixels(I, camera, frame, marker, pattern, coarse, memory);
   }
   std::vector<FittedPose> &fits = few.fits;
   double noise = few.noise;
@@ -282,7 +298,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
       square.angle = squareAngleOf(I, camera, planes[0], square.extent);
     }
     const BlurParameters blur = boundedBlur(fits[0].photometry.blur);
-    memory.fitter->selectPixels(I, camera, planes.data(), fits.size(), pattern, blur, manyPixels, memory.pixels);
+    memory.fitter->selectPixels(I, camera, frame, planes.data(), fits.size(), pattern, blur, manyPixels, memory.pixels);
     dropCovered(marker, memory.pixels);
     std::vector<FitStart> starts;
     for (const FittedPose &fit : fits) {
@@ -296,7 +312,8 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   }
   const double refined = pattern.sectors > 0 ? leastCorrelation : leastCorrelationWithoutCode;
   const double least = refine ? refined : leastCorrelationUnrefined;
-  if (fits[0].correlation < least || fits[0].inliers < leastInliers) {
+  const bool isExplained = fits[0].correlation >= least && fits[0].inliers >= leastInliers;
+  if (!isExplained || (refine && (noise > mostNoise || fits[0].photometry.contrast > mostContrast))) {
     return std::nullopt;
   }
   Measurement result;

@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Core>
 
@@ -49,6 +50,15 @@ struct BlurParameters
   double spread = 0.; //!< And by which it is printed larger, outer radii: the ink's spread.
 };
 
+/*! A shadow with a straight, soft edge that falls on a marker: as vpSceneShadow's, in the coordinates of ImageFrame. */
+struct Shadow
+{
+  double factor = 0.5;    //!< Light that is left in it.
+  double direction = 0.;  //!< Direction of the image from the lit to the dark side, rad from u toward v.
+  double edge = 0.;       //!< Where the edge lies along that direction.
+  double softness = 0.05; //!< Standard deviation of the edge's softness.
+};
+
 /*! Light, contrast and blur of a marker's image. */
 struct Photometry
 {
@@ -60,6 +70,7 @@ struct Photometry
   std::array<double, paperShapes> surround = {{0.25, 0.5}};
   //! Standard deviation by which that differs from direction to direction.
   double unevenShare = 0.3;
+  std::optional<Shadow> shadow; //!< A shadow that multiplies the light; nothing: none falls on the marker.
   BlurParameters blur;
 };
 } // namespace circle_marker

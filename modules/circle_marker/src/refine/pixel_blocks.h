@@ -75,7 +75,7 @@ struct PixelBlock
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
   PlaceLanes place;            //!< Where the pixels are.
-  Lanes offsetU, offsetV;      //!< From the marker's centre, in units of its image's size.
+  Lanes offsetU, offsetV;      //!< In the coordinates of the ImageFrame.
   Lanes grey;                  //!< Grey level.
   Lanes variance;              //!< Of what the surround may change beside its share, grey levels^2; or noPixel.
   Lanes correction;            //!< What the parabolas of ImageModel lack of the share of black (correctBends()).
