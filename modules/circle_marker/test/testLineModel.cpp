@@ -56,7 +56,7 @@ struct Case
         pixels.push_back(pixel);
       }
     }
-    packPixels(pixels, plane, pattern, photometry, 0., 1., blocks);
+    packPixels(pixels, plane, pattern, photometry, 0., 1., mostBorders, blocks);
   }
 
   //! Calls use(sight, block, lanes with a pixel).

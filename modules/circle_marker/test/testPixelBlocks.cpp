@@ -44,7 +44,7 @@ Packed pack(Random &random, const vpCircleMarkerFamily &family, double diameter,
   const MarkerPlane plane = packed.scene.plane();
   selectPixels(digitise(expose(side, side, 0.7, packed.scene, 2), 2., random), CameraModel(packed.scene.camera()),
                packed.scene.frame(), &plane, 1, packed.pattern, BlurParameters(), 1e6, packed.pixels);
-  packPixels(packed.pixels, plane, packed.pattern, photometry, 2., 1., packed.blocks);
+  packPixels(packed.pixels, plane, packed.pattern, photometry, 2., 1., mostBorders, packed.blocks);
   return packed;
 }
 } // namespace
@@ -118,7 +118,7 @@ TEST(PixelBlocks, NeighboursInABlockMakeNoDifference)
       const MarkerPlane plane = packed.scene.plane();
       selectPixels(I, CameraModel(packed.scene.camera()), packed.scene.frame(), &plane, 1, packed.pattern,
                    BlurParameters(), 1e6, packed.pixels);
-      packPixels(packed.pixels, plane, packed.pattern, Photometry(), 2., 1., packed.blocks);
+      packPixels(packed.pixels, plane, packed.pattern, Photometry(), 2., 1., mostBorders, packed.blocks);
       BlurParameters blur;
       blur.sigma = 0.6;
       const ImageModel model(plane, packed.pattern, blur, packed.blocks);
@@ -182,7 +182,7 @@ TEST(PixelBlocks, DoubtGrowsWithTheDifferenceOfTheSurround)
     const double quantile = share == 0.5 ? 0. : share == 0.4 ? 0.2533 : 0.8416;
     pattern.paper[0].extent = point.q.norm() + quantile * photometry.blur.sigma * gradient;
     PixelBlocks blocks;
-    packPixels({pixel}, scene.plane(), pattern, photometry, 2., 1., blocks);
+    packPixels({pixel}, scene.plane(), pattern, photometry, 2., 1., mostBorders, blocks);
     return static_cast<double>(blocks.bySight[0][0].variance[0]);
   };
   EXPECT_EQ(varianceOf(0., 50., 1.), 0.);   // sees nothing of it

@@ -48,6 +48,7 @@ struct FitSettings
   bool growth = true;      //!< Whether black may be larger than designed.
   bool exactBends = true;  //!< Whether edges that bend strongly are corrected (correctBends()).
   double poseError = 1.;   //!< How far a fit may go until its pixels are sorted anew, pixels.
+  int bordersSeen = 5;     //!< Borders between sectors that a pixel may see at most: 1, 3 or 5.
   int mostIterations = 25; //!< Levenberg-Marquardt steps; 0 only evaluates the start.
   //! A step is the last when what it leaves of the way is expected to be less than this share of a standard deviation.
   double convergence = 0.15;

@@ -407,7 +407,7 @@ Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const Mar
   Photometry photometry;
   photometry.blur = blur;
   PixelBlocks blocks;
-  packPixels({single}, plane, pattern, photometry, 0., 0., blocks);
+  packPixels({single}, plane, pattern, photometry, 0., 0., mostBorders, blocks);
   const ImageModel model(plane, pattern, blur, blocks);
   Darkness darkness;
   for (std::size_t kind = 0; kind < pixelSights; ++kind) {

@@ -189,7 +189,8 @@ Likelihood::Likelihood(const MarkerPattern &pattern, const FitSettings &settings
 void Likelihood::setPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const Photometry &photometry,
                            double noise)
 {
-  packPixels(pixels, plane, m_pattern, photometry, noise, m_settings.poseError, m_memory.blocks);
+  packPixels(pixels, plane, m_pattern, photometry, noise, m_settings.poseError, m_settings.bordersSeen,
+             m_memory.blocks);
 }
 
 bool Likelihood::correct(const MarkerPlane &plane, const Photometry &photometry)

@@ -22,10 +22,11 @@
   The grey level of a pixel is modelled as
   \f[ I = L \, (1 - \kappa D), \quad L = l_0 + l_u u + l_v v, \f]
   with D the share of black (image_model.h), L the light on white paper, with a linear gradient, and \f$ \kappa \f$ the
-  contrast of the ink; where the edge of a shadow falls on the marker, L falls along it. Pose, light, contrast, blur and a growth of black common to all edges, in the image (gamma) and
-  on the print (ink), are fitted together by Levenberg-Marquardt; what the model does not explain, such as an occluder,
-  gets no weight (Tukey's biweight). The noise is taken from the residuals, so that the covariance is right for any
-  camera: \f$ \Sigma = s^2 (J^T W J)^{-1} \f$, its rows and columns of the pose.
+  contrast of the ink; where the edge of a shadow falls on the marker, L falls along it. Pose, light, contrast, blur and
+  a growth of black common to all edges, in the image (gamma) and on the print (ink), are fitted together by
+  Levenberg-Marquardt; what the model does not explain, such as an occluder, gets no weight (Tukey's biweight). The
+  noise is taken from the residuals, so that the covariance is right for any camera: \f$ \Sigma = s^2 (J^T W J)^{-1}
+  \f$, its rows and columns of the pose.
 */
 
 #ifndef VP_CIRCLE_MARKER_MAXIMUM_LIKELIHOOD_H

@@ -39,10 +39,8 @@ constexpr double leastCorrelationWithoutCode = 0.94;
 constexpr double leastCorrelationUnrefined = 0.6;
 // Share of the pixels that the model must explain.
 constexpr double leastInliers = 0.5;
-// Residuals larger than this, grey levels, are not noise, of which there are 20 at most, and no ink takes more than all
-// light away.
+// Residuals larger than this, grey levels, are not noise, of which there are 20 at most.
 constexpr double mostNoise = 32.;
-constexpr double mostContrast = 1.1;
 // Two fits closer than this, in standard deviations, are one pose.
 constexpr double samePose = 0.3;
 
@@ -59,6 +57,8 @@ constexpr double manyPixels = 20000.;
 // pixels.
 constexpr double coarseError = 2.;
 constexpr double fineError = 0.6;
+// Borders of sectors that a pixel may see in the first fits: of those farther away few see any.
+constexpr int coarseBorders = 3;
 // Last step of the coarse fit, in standard deviations, and its steps at most: a pose that fits badly creeps.
 constexpr double coarseConvergence = 0.5;
 constexpr int coarseIterations = 6;
@@ -270,6 +270,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   FitSettings coarse = settings;
   coarse.convergence = coarseConvergence;
   coarse.poseError = coarseError;
+  coarse.bordersSeen = coarseBorders;
   coarse.exactBends = false;
   coarse.mostIterations = refine ? coarseIterations : 0;
   RankedFits few = fitFewPixels(I, camera, frame, marker, pattern, coarse, memory);
@@ -313,7 +314,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   const double refined = pattern.sectors > 0 ? leastCorrelation : leastCorrelationWithoutCode;
   const double least = refine ? refined : leastCorrelationUnrefined;
   const bool isExplained = fits[0].correlation >= least && fits[0].inliers >= leastInliers;
-  if (!isExplained || (refine && (noise > mostNoise || fits[0].photometry.contrast > mostContrast))) {
+  if (!isExplained || (refine && noise > mostNoise)) {
     return std::nullopt;
   }
   Measurement result;

@@ -303,7 +303,7 @@ private:
 } // namespace
 
 void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
-                const Photometry &photometry, double noise, double poseError, PixelBlocks &blocks)
+                const Photometry &photometry, double noise, double poseError, int mostSeen, PixelBlocks &blocks)
 {
   if (pixels.empty()) {
     for (std::size_t kind = 0; kind < pixelSights; ++kind) {
@@ -318,7 +318,8 @@ void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, c
   // Pixels, in coordinates in which the blur is round: there lengths are larger by this factor at most.
   const double longer = photometry.blur.widest() / photometry.blur.sigma;
   const double seen = reachOfEdges * photometry.blur.sigma + longer * poseError;
-  blocks.borders = pattern.sectors > 0 ? bordersSeen(plane, pattern, blocks.reference.unit, longer * seen) : 0;
+  blocks.borders =
+      pattern.sectors > 0 ? std::min(bordersSeen(plane, pattern, blocks.reference.unit, longer * seen), mostSeen) : 0;
   Packer packer(pixels, plane, pattern, photometry, noise, blocks);
   packer.sort(seen);
   packer.fill();

@@ -115,10 +115,11 @@ struct PixelBlocks
   \param photometry : Light and blur, roughly.
   \param noise : Standard deviation of a pixel's noise, grey levels; 0 if it is not known yet.
   \param poseError : How far the pose may be off and the sorting still be right, pixels.
+  \param mostSeen : Borders between sectors that a pixel may see at most: 1, 3 or 5.
   \param blocks : The result; its memory is used again.
 */
 void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
-                const Photometry &photometry, double noise, double poseError, PixelBlocks &blocks);
+                const Photometry &photometry, double noise, double poseError, int mostSeen, PixelBlocks &blocks);
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE
