@@ -147,6 +147,13 @@ inline Lanes operator/(float a, const Lanes &b)
   return Lanes::Constant(a) / b;
 }
 
+/*! The numbers valueOf(0), valueOf(1) and so on: put together in registers, since a register that is loaded from where
+    eight single numbers were just stored has to wait for all of them. */
+template <class ValueOf> inline Lanes lanesOf(const ValueOf &valueOf)
+{
+  return _mm256_setr_ps(valueOf(0), valueOf(1), valueOf(2), valueOf(3), valueOf(4), valueOf(5), valueOf(6), valueOf(7));
+}
+
 /*! The sum of each of eight blocks of lanes. */
 inline Lanes sumOfEach(const Lanes *blocks)
 {

@@ -49,6 +49,16 @@ constexpr int laneCount = 8;
 #ifndef CIRCLE_MARKER_WIDE_LANES
 using Lanes = Eigen::Array<float, laneCount, 1>;
 
+/*! The numbers valueOf(0), valueOf(1) and so on. */
+template <class ValueOf> inline Lanes lanesOf(const ValueOf &valueOf)
+{
+  Lanes lanes;
+  for (int lane = 0; lane < laneCount; ++lane) {
+    lanes[lane] = valueOf(lane);
+  }
+  return lanes;
+}
+
 /*! The sum of each of laneCount blocks of lanes. */
 inline Lanes sumOfEach(const Lanes *blocks)
 {

@@ -117,15 +117,19 @@ public:
     // Borders from -n / 2 to n / 2, shifted by n so that cutting off rounds them.
     const Lanes nearest = roughAngle(x, y) * (m_sectors * 0.15915494f) + (m_sectors + 0.5f);
     const int count = static_cast<int>(m_sectors);
+    std::array<const View *, laneCount> views;
     for (int lane = 0; lane < laneCount; ++lane) {
       const int border = static_cast<int>(nearest[lane]);
-      const View &view = m_views[static_cast<std::size_t>(border < count ? border : border - count)];
-      sectors.acrossX[lane] = view.acrossX;
-      sectors.acrossY[lane] = view.acrossY;
-      sectors.base[lane] = view.base;
-      for (int k = 0; k < m_borders; ++k) {
-        sectors.change[k + (mostBorders - m_borders) / 2][lane] = view.change[static_cast<std::size_t>(k)];
-      }
+      views[static_cast<std::size_t>(lane)] =
+          &m_views[static_cast<std::size_t>(border < count ? border : border - count)];
+    }
+    const auto view = [&views](int lane) -> const View & { return *views[static_cast<std::size_t>(lane)]; };
+    sectors.acrossX = lanesOf([&](int lane) { return view(lane).acrossX; });
+    sectors.acrossY = lanesOf([&](int lane) { return view(lane).acrossY; });
+    sectors.base = lanesOf([&](int lane) { return view(lane).base; });
+    for (int k = 0; k < m_borders; ++k) {
+      sectors.change[k + (mostBorders - m_borders) / 2] =
+          lanesOf([&](int lane) { return view(lane).change[static_cast<std::size_t>(k)]; });
     }
   }
 
@@ -140,14 +144,17 @@ private:
   int m_borders;
 };
 
-// What a pixel at a radius may see; margin: how far it sees, in radii.
-PixelSight sightOf(float radius, float margin, const MarkerPattern &pattern)
+// What pixels at these radii may see, as the numbers of PixelSight; margin: how far they see, in radii.
+Lanes sightOf(const Lanes &radius, const Lanes &margin, const MarkerPattern &pattern)
 {
-  if (pattern.sectors == 0 || radius > static_cast<float>(pattern.track[0].radius) + margin ||
-      radius < static_cast<float>(pattern.track[1].radius) - margin) {
-    return PixelSight::RING;
+  if (pattern.sectors == 0) {
+    return Lanes::Zero();
   }
-  return radius < static_cast<float>(pattern.ring[1].radius) - margin ? PixelSight::TRACK : PixelSight::RING_AND_TRACK;
+  const auto outerRim = static_cast<float>(pattern.track[0].radius);
+  const auto innerRim = static_cast<float>(pattern.track[1].radius);
+  const auto ring = static_cast<float>(pattern.ring[1].radius);
+  const Lanes seesTrack = isPositive(outerRim + margin - radius) * isPositive(radius - innerRim + margin);
+  return seesTrack * (2.f - isPositive(ring - margin - radius));
 }
 
 // Sorts pixels and writes them into blocks.
@@ -178,13 +185,11 @@ public:
       }
       placeOf(numbers.data(), place);
       m_homography.apply(place, point);
-      const Lanes direction = perTurn * (roughAngle(point.qx, point.qy) + 3.1415927f);
-      const Lanes margin = static_cast<float>(seen) * point.gradient;
+      const Lanes direction = (perTurn * (roughAngle(point.qx, point.qy) + 3.1415927f)).min(directions - 0.5f);
+      const Lanes sight = sightOf(point.radius, static_cast<float>(seen) * point.gradient, m_pattern);
+      const Lanes bins = static_cast<float>(directions) * sight + direction; // their whole part
       for (std::size_t k = 0; k < count; ++k) {
-        const auto lane = static_cast<Eigen::Index>(k);
-        const PixelSight sight = sightOf(point.radius[lane], margin[lane], m_pattern);
-        const std::size_t bin = static_cast<std::size_t>(sight) * directions +
-                                std::min(static_cast<std::size_t>(direction[lane]), directions - 1);
+        const auto bin = static_cast<unsigned int>(bins[static_cast<std::ptrdiff_t>(k)]);
         m_blocks.bins[first + k] = static_cast<unsigned char>(bin);
         ++start[bin + 1];
       }
@@ -226,15 +231,17 @@ private:
   // Places of eight pixels in the units of the blocks.
   void placeOf(const unsigned int *numbers, PlaceLanes &place) const
   {
-    for (Eigen::Index lane = 0; lane < laneCount; ++lane) {
-      const FitPixel &pixel = m_pixels[numbers[lane]];
-      place.x[lane] = pixel.meter.x();
-      place.y[lane] = pixel.meter.y();
-      place.xByU[lane] = pixel.meterPerPixel(0, 0);
-      place.xByV[lane] = pixel.meterPerPixel(0, 1);
-      place.yByU[lane] = pixel.meterPerPixel(1, 0);
-      place.yByV[lane] = pixel.meterPerPixel(1, 1);
+    std::array<const FitPixel *, laneCount> pixels;
+    for (std::size_t k = 0; k < laneCount; ++k) {
+      pixels[k] = &m_pixels[numbers[k]];
     }
+    const auto pixel = [&pixels](int lane) -> const FitPixel & { return *pixels[static_cast<std::size_t>(lane)]; };
+    place.x = lanesOf([&](int lane) { return pixel(lane).meter.x(); });
+    place.y = lanesOf([&](int lane) { return pixel(lane).meter.y(); });
+    place.xByU = lanesOf([&](int lane) { return pixel(lane).meterPerPixel(0, 0); });
+    place.xByV = lanesOf([&](int lane) { return pixel(lane).meterPerPixel(0, 1); });
+    place.yByU = lanesOf([&](int lane) { return pixel(lane).meterPerPixel(1, 0); });
+    place.yByV = lanesOf([&](int lane) { return pixel(lane).meterPerPixel(1, 1); });
     const ImageReference &reference = m_blocks.reference;
     const auto perUnit = static_cast<float>(1. / reference.unit);
     place.x = perUnit * (place.x - static_cast<float>(reference.meter.x()));
@@ -251,14 +258,13 @@ private:
     bool seesSurround = false;
     for (std::size_t k = 0; k < laneCount; ++k) {
       numbers[k] = sorted[std::min(k, count - 1)];
-      const FitPixel &pixel = m_pixels[numbers[k]];
-      const auto lane = static_cast<Eigen::Index>(k);
-      block.offsetU[lane] = pixel.offset.x();
-      block.offsetV[lane] = pixel.offset.y();
-      block.grey[lane] = pixel.grey;
-      block.variance[lane] = k < count ? 0.f : noPixel;
-      seesSurround = seesSurround || pixel.seesSurround();
+      seesSurround = seesSurround || m_pixels[numbers[k]].seesSurround();
     }
+    const auto pixel = [&](int lane) -> const FitPixel & { return m_pixels[numbers[static_cast<std::size_t>(lane)]]; };
+    block.offsetU = lanesOf([&](int lane) { return pixel(lane).offset.x(); });
+    block.offsetV = lanesOf([&](int lane) { return pixel(lane).offset.y(); });
+    block.grey = lanesOf([&](int lane) { return pixel(lane).grey; });
+    block.variance = lanesOf([&](int lane) { return static_cast<std::size_t>(lane) < count ? 0.f : noPixel; });
     placeOf(numbers.data(), block.place);
     block.correction.setZero();
     block.sectors = PixelBlock::none;
