@@ -24,6 +24,7 @@
 
 #include "detect_covered.h"
 #include "pose/hypotheses.h"
+#include "refine/blurred_measurement.h"
 #include "refine/measure.h"
 #include "refine/report.h"
 #include "debug_record.h"
@@ -250,8 +251,8 @@ void vpDetectorCircleMarker::Impl::readWhole(const Visit &visit, const EllipseCa
                                              const vpCircleMarkerFamily &family, Examination &examination) const
 {
   ReadingTrace trace;
-  Judged<Recognition> marker =
-      recognise(visit.I, visit.camera, poses, outline, family, settings.decode, keepsDebug ? &trace : nullptr);
+  Judged<Recognition> marker = recognise(visit.I, visit.camera, poses, outline, family, settings.decode,
+                                         keepsDebug ? &trace : nullptr, visit.deadline);
   if (keepsDebug) {
     examination.candidates.push_back(candidateOf(outline, family, marker.reason()));
     addReading(trace, family, visit.camera, examination.candidates.back());
@@ -266,7 +267,8 @@ std::optional<vpDetectorCircleMarker::Impl::Found>
 vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline,
                                             const Recognition &marker, Bench &bench) const
 {
-  const auto measurement = measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring);
+  const auto measurement =
+      bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring));
   if (!measurement) {
     return std::nullopt;
   }

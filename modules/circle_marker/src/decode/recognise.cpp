@@ -19,8 +19,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "decode/blurred_reading.h"
 #include "decode/covered_reading.h"
+#include "decode/edge_width.h"
 #include "decode/radial_profile.h"
 #include "decode/shape_evidence.h"
 
@@ -45,6 +48,10 @@ constexpr double sameRatioPixels = 0.8;
 
 // Of a covered marker fewer pixels are left to read: its semi-minor axis, pixels, is twice as large at least.
 constexpr double leastCoveredSemiMinor = 6.;
+
+// A codeword that is seen through a blur leaves this share of the image's variance unexplained at most: those of true
+// markers leave a hundredth.
+constexpr double mostUnexplained = 0.05;
 
 // Whether enough of the sectors are seen, black and white, that measuring the ring is worth while.
 bool looksLikeCode(const SectorReading &reading)
@@ -111,6 +118,32 @@ Judged<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraM
   return markerOf(poses, family, codes, best);
 }
 
+// A marker whose sectors are too blurred to be read one by one; nothing if it is none, or not certain.
+std::optional<Recognition> recogniseBlurred(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                            const PosePair &poses, const EllipseCandidate &outline,
+                                            const vpCircleMarkerFamily &family, const DecodeSettings &settings,
+                                            const Deadline &deadline)
+{
+  const auto reading = readBlurred(I, camera, outline.ellipse, poses[0].radius, family, deadline);
+  if (!reading || reading->unexplained > mostUnexplained || reading->code.margin < settings.minimumMargin) {
+    return std::nullopt;
+  }
+  Recognition result;
+  result.family = family;
+  result.code = reading->code;
+  result.ringInner = family.getLayout().ringInner;
+  result.poses = {reading->fit.plane, reading->twin};
+  result.blurred = reading->poses;
+  Eigen::Matrix<double, 6, 6> back = Eigen::Matrix<double, 6, 6>::Zero(); // to the frame that the code fixes
+  back.topLeftCorner<3, 3>() = Eigen::AngleAxisd(-reading->code.spin, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  back.bottomRightCorner<3, 3>() = back.topLeftCorner<3, 3>();
+  for (std::size_t i = 0; i < result.poses.size(); ++i) {
+    result.poses[i].spin(reading->code.spin);
+    result.blurred->covariance[i] = back * reading->poses.covariance[i] * back.transpose();
+  }
+  return result;
+}
+
 Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
                                    const EllipseCandidate &outline, const vpCircleMarkerFamily &family)
 {
@@ -149,7 +182,7 @@ Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const Camera
 
 Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
                               const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
-                              const DecodeSettings &settings, ReadingTrace *trace)
+                              const DecodeSettings &settings, ReadingTrace *trace, const Deadline &deadline)
 {
   if (!family.isCoded()) {
     return recogniseShape(I, camera, poses, outline, family);
@@ -159,6 +192,11 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
                              (layout.codeOuter * layout.codeOuter - layout.codeInner * layout.codeInner);
   if (outline.ellipse.b < leastCodeSemiMinor || trackPixels < leastSectorPixels * family.getNbSectors()) {
     return vpCircleMarkerReject::TOO_SMALL;
+  }
+  if (looksBlurred(I, outline.ellipse)) {
+    if (auto blurred = recogniseBlurred(I, camera, poses, outline, family, settings, deadline)) {
+      return std::move(*blurred);
+    }
   }
   return recogniseCode(I, camera, poses, family, settings, trace);
 }
@@ -184,7 +222,7 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
     return std::nullopt;
   }
   const double inner = family.getLayout().ringInner;
-  return Recognition{vpCircleMarkerFamily::ring(inner), CodeReading(), inner, poses, most};
+  return Recognition{vpCircleMarkerFamily::ring(inner), CodeReading(), inner, poses, most, std::nullopt};
 }
 
 Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,

@@ -20,10 +20,12 @@
 
 #include <optional>
 
+#include "decode/blurred_reading.h"
 #include "decode/identify.h"
 #include "decode/seen_parts.h"
 #include "ellipse/ellipse_candidates.h"
 #include "pose/hypotheses.h"
+#include "support/deadline.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -34,7 +36,8 @@ struct Recognition
   CodeReading code;       //!< id -1 without a code.
   double ringInner = 0.8; //!< Inner radius of the ring, in units of the outer radius; 0 for a disc.
   PosePair poses;
-  std::optional<SeenParts> seen; //!< Where something covers a part of it.
+  std::optional<SeenParts> seen;       //!< Where something covers a part of it.
+  std::optional<BlurredPoses> blurred; //!< How well \e poses are known where they were read through a blur.
 };
 
 /*! What was read on the way to a code, to be shown: of the pose under which it came farther. */
@@ -54,11 +57,13 @@ struct ReadingTrace
   \param family : The family.
   \param settings : How strictly a code is read.
   \param trace : If not null, what was read on the way.
+  \param deadline : When to stop reading through a blur, which takes long.
   \return The marker, or the reason of the pose under which it came farther.
 */
 Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
                               const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
-                              const DecodeSettings &settings, ReadingTrace *trace = nullptr);
+                              const DecodeSettings &settings, ReadingTrace *trace = nullptr,
+                              const Deadline &deadline = Deadline());
 
 /*!
   The ring of a marker of a family with a code, of which something covers a part: a plain ring with what is seen of it,

@@ -1,0 +1,43 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Whether an outline may be a marker seen through a strong blur.
+ */
+
+#ifndef VP_CIRCLE_MARKER_EDGE_WIDTH_H
+#define VP_CIRCLE_MARKER_EDGE_WIDTH_H
+
+#include "ellipse/conic.h"
+
+#include <visp3/core/vpImage.h>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*!
+  Width of an outline's edge, pixels: step across it by its steepest slope, that of the second widest of eight pairs of
+  opposite directions, as a motion widens some directions only. A sharp edge is seen two samples wide, that is two
+  pixels on outlines of up to 20 pixels radius and a tenth of the radius beyond. \return Zero if most of the outline is
+  not seen.
+*/
+double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outline);
+
+/*!
+  Whether an outline may be a coded marker seen through a blur that sectors cannot be read through one by one: its edge
+  is wide, its centre is as white as the paper around, its ring is dark and its track has something of both.
+*/
+bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outline);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

@@ -1,0 +1,66 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Poses of a marker that was read through a strong blur.
+ */
+
+#include "refine/blurred_measurement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// measure() looks at every pixel, noise and all, the reading at means of many: it may leave this share of the variance
+// more. A model that lacks a motion leaves a tenth and more.
+constexpr double mostOfNoise = 0.02;
+
+FittedPose fittedPose(const Recognition &marker, std::size_t i)
+{
+  const BlurredPoses &blurred = *marker.blurred;
+  FittedPose pose;
+  pose.plane = marker.poses[i];
+  pose.squares = 2. * blurred.cost[i] * blurred.noise * blurred.noise;
+  pose.noise = blurred.noise;
+  pose.inliers = 1.;
+  pose.correlation = std::sqrt(std::max(1. - blurred.unexplained, 0.));
+  Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Zero();
+  change.topLeftCorner<3, 3>() = pose.plane.radius * pose.plane.rotation;
+  change.bottomRightCorner<3, 3>() = pose.plane.rotation;
+  pose.covariance = change * blurred.covariance[i] * change.transpose();
+  return pose;
+}
+} // namespace
+
+std::optional<Measurement> bestMeasurement(const Recognition &marker, std::optional<Measurement> measured)
+{
+  if (!marker.blurred ||
+      (measured && 1. - std::pow(measured->first.correlation, 2.) < marker.blurred->unexplained + mostOfNoise)) {
+    return measured;
+  }
+  const std::array<double, 2> &cost = marker.blurred->cost;
+  const std::size_t best = cost[1] < cost[0] ? 1 : 0;
+  Measurement result;
+  result.first = fittedPose(marker, best);
+  result.cost = cost[best];
+  if (cost[1 - best] < HUGE_VAL) {
+    result.second = fittedPose(marker, 1 - best);
+    result.cost2 = cost[1 - best];
+  }
+  return result;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

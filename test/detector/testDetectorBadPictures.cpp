@@ -1,0 +1,157 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Markers in bad pictures: found and rightly read, and nothing else.
+ */
+
+#include <cmath>
+#include <functional>
+
+#include <gtest/gtest.h>
+
+#include "detector_scenes.h"
+
+using namespace detector_test;
+
+namespace {
+/*! What spoils a picture of a marker that has this diameter, pixels, about a place in the image. */
+using Spoiling =
+    std::function<void(Random &, double diameter, const vpImagePoint &place, vpScenePhotometry &, vpSceneMotion &)>;
+
+/*!
+  Markers of 44 to 120 pixels, tilts to 50 degrees, on clutter.
+  A marker that is found and rightly read 97 times in 100 is lost more than twice of 16 in 1.1 % of all runs, three
+  times in 0.1 %: less than 13 of 16 are a defect. The seeds are the test's.
+*/
+void expectFound(const vpCircleMarkerFamily &family, const Spoiling &spoil)
+{
+  constexpr unsigned int frames = 16;
+  constexpr unsigned int leastFound = 13;
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector(family);
+  unsigned int found = 0;
+  for (unsigned int frame = 0; frame < frames; ++frame) {
+    const double diameter = 44. * std::pow(120. / 44., uniform(random, 0., 1.));
+    const vpHomogeneousMatrix cMo = randomPose(random, diameter, uniform(random, 0., 0.87));
+    const int id = randomId(random, family);
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    simulator.setBackground(vpSceneBackground::clutter(random(), 20));
+    vpScenePhotometry photometry;
+    vpSceneMotion motion;
+    spoil(random, diameter, simulator.project(cMo[0][3], cMo[1][3], cMo[2][3]), photometry, motion);
+    simulator.setPhotometry(photometry);
+    simulator.setMotion(motion);
+    vpSimulatedMarker marker = printed(family, id);
+    simulator.addMarker(marker.setPose(cMo));
+    vpImage<unsigned char> I;
+    const auto truth = simulator.render(I, random());
+    detector.detect(I);
+    for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
+      const bool isHere = vpImagePoint::distance(detection.center, truth[0].center) < 0.1 * diameter;
+      found += isHere && detection.id == id ? 1 : 0;
+      if (family.isCoded()) { // clutter has plain rings
+        EXPECT_TRUE(isHere && detection.id == id) << "frame " << frame << ": id " << detection.id << " for " << id;
+      }
+    }
+  }
+  EXPECT_GE(found, leastFound) << "of " << frames;
+}
+
+const vpCircleMarkerFamily golay23(vpCircleMarkerFamily::GOLAY23);
+const vpCircleMarkerFamily bch31r(vpCircleMarkerFamily::BCH31R);
+const vpCircleMarkerFamily ring(vpCircleMarkerFamily::RING);
+
+// The edge of a shadow across the marker, in which a quarter of the light is left.
+void castShadow(Random &random, double diameter, const vpImagePoint &place, vpScenePhotometry &photometry,
+                vpSceneMotion &)
+{
+  const double offset = uniform(random, -0.4, 0.4) * diameter;
+  vpSceneShadow shadow;
+  shadow.direction = uniform(random, 0., 2. * M_PI);
+  shadow.edge = vpImagePoint(place.get_v() + offset * std::sin(shadow.direction),
+                             place.get_u() + offset * std::cos(shadow.direction));
+  shadow.factor = 0.25;
+  shadow.penumbra = uniform(random, 0.5, 3.);
+  photometry.shadow = shadow;
+}
+
+// The marker's image goes a quarter of its diameter during the exposure.
+void moveCamera(Random &random, double, const vpImagePoint &, vpScenePhotometry &, vpSceneMotion &motion)
+{
+  const double direction = uniform(random, 0., 2. * M_PI);
+  motion.twist[0] = 0.25 * size * std::cos(direction);
+  motion.twist[1] = 0.25 * size * std::sin(direction);
+}
+
+// The disc that a point makes is 15 % of the diameter wide.
+void defocus(Random &, double diameter, const vpImagePoint &, vpScenePhotometry &photometry, vpSceneMotion &)
+{
+  photometry.defocusRadius = 0.5 * 0.15 * diameter;
+}
+} // namespace
+
+TEST(DetectorBadPictures, ShadowOnTheCode)
+{
+  expectFound(golay23, castShadow);
+}
+
+TEST(DetectorBadPictures, ShadowOnTheRing)
+{
+  expectFound(ring, castShadow);
+}
+
+TEST(DetectorBadPictures, LittleContrast)
+{
+  expectFound(golay23, [](Random &, double, const vpImagePoint &, vpScenePhotometry &photometry, vpSceneMotion &) {
+    photometry.paper = 132.5;
+    photometry.ink = 107.5;
+  });
+}
+
+TEST(DetectorBadPictures, Noise)
+{
+  expectFound(golay23, [](Random &, double, const vpImagePoint &, vpScenePhotometry &photometry, vpSceneMotion &) {
+    photometry.noiseSigma = 20.;
+  });
+}
+
+TEST(DetectorBadPictures, OverExposure)
+{
+  expectFound(golay23, [](Random &, double, const vpImagePoint &, vpScenePhotometry &photometry, vpSceneMotion &) {
+    photometry.paper *= 2.5;
+    photometry.ink *= 2.5;
+  });
+}
+
+TEST(DetectorBadPictures, Jpeg)
+{
+  expectFound(golay23, [](Random &, double, const vpImagePoint &, vpScenePhotometry &photometry, vpSceneMotion &) {
+    photometry.jpegQuality = 50;
+  });
+}
+
+TEST(DetectorBadPictures, LongMotion)
+{
+  expectFound(golay23, moveCamera);
+}
+
+TEST(DetectorBadPictures, StrongDefocus)
+{
+  expectFound(golay23, defocus);
+}
+
+TEST(DetectorBadPictures, StrongDefocusOfMoreSectors)
+{
+  expectFound(bch31r, defocus);
+}
