@@ -53,14 +53,11 @@ std::optional<Measurement> bestMeasurement(const Recognition &marker, std::optio
   }
   const std::array<double, 2> &cost = marker.blurred->cost;
   const std::size_t best = cost[1] < cost[0] ? 1 : 0;
-  Measurement result;
-  result.first = fittedPose(marker, best);
-  result.cost = cost[best];
-  if (cost[1 - best] < HUGE_VAL) {
-    result.second = fittedPose(marker, 1 - best);
-    result.cost2 = cost[1 - best];
+  const FittedPose first = fittedPose(marker, best);
+  if (cost[1 - best] == HUGE_VAL) {
+    return Measurement{first, std::nullopt, cost[best], HUGE_VAL};
   }
-  return result;
+  return Measurement{first, fittedPose(marker, 1 - best), cost[best], cost[1 - best]};
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE
