@@ -147,7 +147,7 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       Case made =
           makeCase(markerScene(random, family, id, uniform(random, 40., 90.), uniform(random, 0.2, 0.9), side), id, I);
       Light light;
-      light.level = uniform(random, 100., 250.);
+      light.level = uniform(random, 100., 230.); // below 255 at the brighter end
       light.gradient = Eigen::Vector2d(uniform(random, -20., 20.), uniform(random, -20., 20.));
       light.contrast = uniform(random, 0.4, 0.95);
       BlurParameters blur;
@@ -177,6 +177,35 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       EXPECT_NEAR(fit->photometry.blur.growth, 0., 1e-4);
       EXPECT_GT(fit->correlation, 0.999999);
       EXPECT_GT(fit->inliers, 0.99);
+    }
+  }
+}
+
+TEST(MaximumLikelihood, ExactWhereThePaperIsOverExposed)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I(side, side, 0);
+  for (const vpCircleMarkerFamily::vpType type : families) {
+    const vpCircleMarkerFamily family(type);
+    for (int i = 0; i < 10; ++i) {
+      const int id = randomId(random, family);
+      Case made =
+          makeCase(markerScene(random, family, id, uniform(random, 50., 90.), uniform(random, 0.3, 0.9), side), id, I);
+      Light light;
+      light.level = uniform(random, 260., 400.);
+      fillFromModel(made, light, BlurParameters(), 0., random);
+      for (FitPixel &pixel : made.pixels) {
+        pixel.grey = std::min(pixel.grey, 255.f);
+      }
+      FitSettings settings = settingsOf(family);
+      settings.exactBends = false;
+      settings.convergence = 0.003;
+      const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.01), made.pattern, settings);
+      ASSERT_TRUE(fit) << family.getName() << " level " << light.level;
+      const MarkerPlane truth = made.scene.plane();
+      EXPECT_LT((fit->plane.center - truth.center).norm() / truth.center.z(), 1e-5) << family.getName() << light.level;
+      EXPECT_LT((fit->plane.rotation.col(2) - truth.rotation.col(2)).norm(), 1e-5) << family.getName() << light.level;
+      EXPECT_NEAR(fit->photometry.light, light.level, 0.5) << family.getName();
     }
   }
 }

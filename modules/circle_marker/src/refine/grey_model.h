@@ -103,6 +103,9 @@ inline Lanes lightOf(const PixelBlock &block, const Photometry &photometry)
          static_cast<float>(photometry.lightGradient.y()) * block.offsetV;
 }
 
+// Where the sensor's grey levels end: a pixel that should be brighter than this is this bright.
+constexpr float brightest = 255.f;
+
 // The grey levels of a block as the model has them.
 struct GreyLanes
 {
@@ -110,6 +113,8 @@ struct GreyLanes
   Lanes reflectance;
   Lanes paper; // share of what does not lie beyond the quiet zone
   Lanes residual;
+  Lanes tells;        // 0 where the model is brighter than what the sensor can tell, else 1
+  bool isCut = false; // whether it is so anywhere in the block
 };
 
 // surround: what the block sees of it; nullptr if nothing.
@@ -130,6 +135,13 @@ inline GreyLanes greyOf(const PixelBlock &block, const SurroundLanes *surround, 
       grey.paper -= share;
       grey.residual -= share * (surround->beyond[shape] - grey.light);
     }
+  }
+  // Over-exposed paper: more light would make no difference.
+  const Lanes seen = block.grey - grey.residual;
+  if (seen.maxCoeff() > brightest) {
+    grey.isCut = true;
+    grey.tells = isPositive(brightest - seen);
+    grey.residual = block.grey - seen.min(brightest);
   }
   return grey;
 }
@@ -167,6 +179,11 @@ inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const 
     }
     else {
       row[surroundAt + shape].setZero();
+    }
+  }
+  if (grey.isCut) {
+    for (Lanes &derivative : row) {
+      derivative = grey.tells * derivative;
     }
   }
 }

@@ -259,6 +259,9 @@ Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &phot
     const Lanes holds = holdsPixel(block);
     loss.cost *= holds;
     loss.kept *= holds;
+    if (grey.isCut) {
+      loss.tells *= grey.tells;
+    }
     rowOf(block, surround, photometry, darkness, grey, sums.row());
     k = sight == last ? k : 0;
     last = sight;

@@ -46,7 +46,8 @@ ResidualSpread Likelihood::spreadOfResiduals()
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
     const Lanes &residual = m_memory.residuals[k++];
     for (int lane = 0; lane < laneCount; ++lane) {
-      if (block.variance[lane] < static_cast<float>(quantisation * quantisation)) {
+      // What is as bright as can be tells nothing of the noise.
+      if (block.variance[lane] < static_cast<float>(quantisation * quantisation) && block.grey[lane] < brightest) {
         absolute.push_back(std::abs(residual[lane]));
       }
     }
