@@ -55,6 +55,10 @@ constexpr double besideEdge = 1.5;
 // A centre is bright (dark) if it lies this share of the step at the outline above the dark side (below the bright
 // side). The centre of a ring of 8 pixels keeps a third after the blur; a dark blob has none.
 constexpr double leastCenter = 0.1;
+// Where that is looked for if something covers the centre: share of the way to the edge, inside of the code track; and
+// how bright it has to be there, share of the step.
+constexpr double besideCenter = 0.3;
+constexpr double clearlyBright = 0.6;
 // Share of an ellipse's perimeter that an arc must have to be judged by its centre at once.
 constexpr double leastShareForCenter = 0.5;
 // Share of an outline's points that is kept when it does not fit as a whole, and how often the choice is made again.
@@ -238,7 +242,21 @@ bool hasSoughtCenter(const vpImage<unsigned char> &I, const EdgePoint *points, s
   const Beside beside = besideOutline(I, points, count);
   const double step = beside.bright - beside.dark;
   const double aboveDark = *grey - beside.dark;
-  return sought.bright ? aboveDark >= leastCenter * step : aboveDark <= (1. - leastCenter) * step;
+  if (!sought.bright) {
+    return aboveDark <= (1. - leastCenter) * step;
+  }
+  if (aboveDark >= leastCenter * step) {
+    return true;
+  }
+  // Something dark may cover the middle: what lies toward the edge that is seen is white then.
+  constexpr std::size_t directions = 4;
+  for (std::size_t k = 0; k < directions; ++k) {
+    const auto toward = bilinear(I, center + besideCenter * (points[k * count / directions].position - center));
+    if (toward && *toward - beside.dark >= clearlyBright * step) {
+      return true;
+    }
+  }
+  return false;
 }
 } // namespace
 
