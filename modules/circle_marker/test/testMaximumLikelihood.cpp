@@ -15,125 +15,11 @@
  * The maximum-likelihood fit: exact on the model's own images, its covariance true, occluders without weight.
  */
 
-#include "testRoomTools.h"
-
-#include <Eigen/LU>
-
-#include "refine/fit_pixels.h"
-#include "refine/image_model.h"
-#include "refine/maximum_likelihood.h"
+#include "testFitTools.h"
 
 using namespace circle_marker;
+using namespace fit_test;
 using namespace room_test;
-
-namespace {
-constexpr unsigned int side = 120;
-
-struct Light
-{
-  double level = 200.;
-  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
-  double contrast = 0.85;
-};
-
-struct Case
-{
-  MarkerScene scene;
-  MarkerPattern pattern;
-  std::vector<FitPixel> pixels;
-};
-
-Case makeCase(const MarkerScene &scene, int id, const vpImage<unsigned char> &I)
-{
-  Case made = {scene, patternOf(scene.family, id, scene.family.getLayout().ringInner), {}};
-  const MarkerPlane plane = scene.plane();
-  selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, BlurParameters(), 3000.,
-               made.pixels);
-  return made;
-}
-
-//! Grey levels that the model itself gives, not rounded.
-void fillFromModel(Case &made, const Light &light, const BlurParameters &blur, double noise, Random &random)
-{
-  std::normal_distribution<double> normal(0., 1.);
-  for (FitPixel &pixel : made.pixels) {
-    const double darkness = darknessAt(pixel.model(), made.scene.plane(), made.pattern, blur).value;
-    const double white = light.level + light.gradient.dot(pixel.offset.cast<double>());
-    pixel.grey =
-        static_cast<float>(white * (1. - light.contrast * darkness) + (noise > 0. ? noise * normal(random) : 0.));
-    pixel.beyond = {}; // the model's paper has no end
-  }
-}
-
-//! A start that is off by some hundredths of the radius.
-MarkerPlane disturbed(const MarkerPlane &plane, Random &random, double amount)
-{
-  MarkerPlane start = plane;
-  const auto unit = [&random] { return uniform(random, -1., 1.); };
-  const double depth = plane.center.z();
-  start.center +=
-      amount * Eigen::Vector3d(0.3 * plane.radius * unit(), 0.3 * plane.radius * unit(), 0.3 * depth * unit());
-  start.rotation = turn(amount * 2. * unit(), Eigen::Vector3d(unit(), unit(), 0.01)) * start.rotation;
-  start.spin(amount * unit());
-  return start;
-}
-
-//! (t, w) from the fit to the truth, as in image_model.h.
-Eigen::Matrix<double, 6, 1> errorOf(const MarkerPlane &fitted, const MarkerPlane &truth)
-{
-  const Eigen::AngleAxisd rotation(Eigen::Matrix3d(truth.rotation * fitted.rotation.transpose()));
-  Eigen::Matrix<double, 6, 1> error;
-  error << truth.center - fitted.center, rotation.angle() * rotation.axis();
-  return error;
-}
-
-/*!
-  Mahalanobis distance squared; without a spin, in the five directions that are left (translation and the two turns
-  across the normal).
-*/
-double mahalanobis(const FittedPose &fit, const MarkerPlane &truth, bool spinIsKnown)
-{
-  if (spinIsKnown) {
-    const Eigen::Matrix<double, 6, 1> e = errorOf(fit.plane, truth);
-    return e.dot(fit.covariance.inverse() * e);
-  }
-  const Eigen::Vector3d n = fit.plane.rotation.col(2);
-  const Eigen::Vector3d across = n.cross(truth.rotation.col(2));
-  Eigen::Matrix<double, 5, 6> project = Eigen::Matrix<double, 5, 6>::Zero();
-  project.topLeftCorner<3, 3>().setIdentity();
-  project.block<1, 3>(3, 3) = fit.plane.rotation.col(0).transpose();
-  project.block<1, 3>(4, 3) = fit.plane.rotation.col(1).transpose();
-  Eigen::Matrix<double, 6, 1> e;
-  e << truth.center - fit.plane.center, across;
-  const Eigen::Matrix<double, 5, 1> reduced = project * e;
-  return reduced.dot((project * fit.covariance * project.transpose()).inverse() * reduced);
-}
-
-const vpCircleMarkerFamily::vpType families[] = {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31,
-                                                 vpCircleMarkerFamily::BCH31R, vpCircleMarkerFamily::RING,
-                                                 vpCircleMarkerFamily::DISC};
-
-FitSettings settingsOf(const vpCircleMarkerFamily &family)
-{
-  FitSettings settings;
-  settings.spinIsKnown = family.isCoded();
-  settings.growth = family.getType() != vpCircleMarkerFamily::DISC;
-  return settings;
-}
-
-//! A fit to all pixels that takes light and contrast from the image.
-std::optional<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const MarkerPlane &start,
-                                 const MarkerPattern &pattern, const FitSettings &settings)
-{
-  FitMemory memory;
-  return fitPose(pixels, {start, std::nullopt, std::nullopt}, pattern, settings, memory);
-}
-
-int randomId(Random &random, const vpCircleMarkerFamily &family)
-{
-  return family.isCoded() ? static_cast<int>(random() % family.getNbIds()) : -1;
-}
-} // namespace
 
 TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
 {
@@ -176,80 +62,6 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       EXPECT_NEAR(fit->photometry.blur.growth + pixels * fit->photometry.blur.spread, 0., 1e-5);
       EXPECT_NEAR(fit->photometry.blur.growth, 0., 1e-4);
       EXPECT_GT(fit->correlation, 0.999999);
-      EXPECT_GT(fit->inliers, 0.99);
-    }
-  }
-}
-
-TEST(MaximumLikelihood, ExactWhereThePaperIsOverExposed)
-{
-  Random random = randomOfTest();
-  const vpImage<unsigned char> I(side, side, 0);
-  for (const vpCircleMarkerFamily::vpType type : families) {
-    const vpCircleMarkerFamily family(type);
-    for (int i = 0; i < 10; ++i) {
-      const int id = randomId(random, family);
-      Case made =
-          makeCase(markerScene(random, family, id, uniform(random, 50., 90.), uniform(random, 0.3, 0.9), side), id, I);
-      Light light;
-      light.level = uniform(random, 260., 400.);
-      fillFromModel(made, light, BlurParameters(), 0., random);
-      for (FitPixel &pixel : made.pixels) {
-        pixel.grey = std::min(pixel.grey, 255.f);
-      }
-      FitSettings settings = settingsOf(family);
-      settings.exactBends = false;
-      settings.convergence = 0.003;
-      const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.01), made.pattern, settings);
-      ASSERT_TRUE(fit) << family.getName() << " level " << light.level;
-      const MarkerPlane truth = made.scene.plane();
-      EXPECT_LT((fit->plane.center - truth.center).norm() / truth.center.z(), 1e-5) << family.getName() << light.level;
-      EXPECT_LT((fit->plane.rotation.col(2) - truth.rotation.col(2)).norm(), 1e-5) << family.getName() << light.level;
-      EXPECT_NEAR(fit->photometry.light, light.level, 0.5) << family.getName();
-    }
-  }
-}
-
-TEST(MaximumLikelihood, ExactUnderTheEdgeOfAShadow)
-{
-  Random random = randomOfTest();
-  const vpImage<unsigned char> I(side, side, 0);
-  for (const vpCircleMarkerFamily::vpType type : families) {
-    const vpCircleMarkerFamily family(type);
-    for (int i = 0; i < 10; ++i) {
-      const int id = randomId(random, family);
-      Case made =
-          makeCase(markerScene(random, family, id, uniform(random, 60., 90.), uniform(random, 0.2, 0.9), side), id, I);
-      fillFromModel(made, Light(), BlurParameters(), 0., random);
-      Shadow shadow;
-      shadow.factor = uniform(random, 0.3, 0.7);
-      shadow.direction = uniform(random, -M_PI, M_PI);
-      shadow.edge = uniform(random, -0.3, 0.3);
-      shadow.softness = uniform(random, 0.05, 0.15);
-      for (FitPixel &pixel : made.pixels) {
-        const Eigen::Vector2d offset = pixel.offset.cast<double>();
-        const double beyond =
-            (offset.dot(Eigen::Vector2d(std::cos(shadow.direction), std::sin(shadow.direction))) - shadow.edge) /
-            shadow.softness;
-        pixel.grey *= static_cast<float>(1. - (1. - shadow.factor) * 0.5 * std::erfc(-beyond * M_SQRT1_2));
-      }
-      FitSettings settings = settingsOf(family);
-      settings.exactBends = false;
-      settings.convergence = 0.003;
-      settings.shadow = shadow;
-      settings.shadow->factor += uniform(random, -0.05, 0.05);
-      settings.shadow->direction += uniform(random, -0.05, 0.05);
-      settings.shadow->edge += uniform(random, -0.03, 0.03);
-      settings.shadow->softness = 0.08;
-      const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.01), made.pattern, settings);
-      ASSERT_TRUE(fit && fit->photometry.shadow) << family.getName() << " " << i;
-      const MarkerPlane truth = made.scene.plane();
-      EXPECT_LT((fit->plane.center - truth.center).norm() / truth.center.z(), 2e-6) << family.getName() << " " << i;
-      EXPECT_LT((fit->plane.rotation.col(2) - truth.rotation.col(2)).norm(), 5e-6) << family.getName() << " " << i;
-      EXPECT_NEAR(fit->photometry.shadow->factor, shadow.factor, 1e-4);
-      EXPECT_NEAR(wrapped(fit->photometry.shadow->direction - shadow.direction), 0., 1e-3);
-      EXPECT_NEAR(fit->photometry.shadow->edge, shadow.edge, 1e-3);
-      EXPECT_NEAR(fit->photometry.shadow->softness, shadow.softness, 1e-3);
       EXPECT_GT(fit->inliers, 0.99);
     }
   }
@@ -314,49 +126,6 @@ TEST(MaximumLikelihood, CovarianceIsTrueOnDrawnImages)
   const double slack = 3.5 * std::sqrt(12. / count);
   EXPECT_GT(sum / count, 6. - slack);
   EXPECT_LT(sum / count, 6. / 0.95 + slack);
-}
-
-TEST(MaximumLikelihood, MotionIsNoError)
-{
-  // Moved evenly by 3 pixels while the shutter is open: not the Gaussian that the model has, but nearly.
-  Random random = randomOfTest();
-  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
-  constexpr int count = 40;
-  constexpr double moved = 3.;
-  constexpr int steps = 6;
-  double sum = 0.;
-  for (int i = 0; i < count; ++i) {
-    const int id = randomId(random, family);
-    const MarkerScene scene = markerScene(random, family, id, 70., uniform(random, 0.35, 0.9), side);
-    const double angle = uniform(random, 0., M_PI);
-    vpImage<double> exposed(side, side, 0.);
-    for (int step = 0; step < steps; ++step) {
-      const double place = moved * ((step + 0.5) / steps - 0.5);
-      const auto shifted = [&](double u, double v) {
-        return scene(u + place * std::cos(angle), v + place * std::sin(angle));
-      };
-      const vpImage<double> still = expose(side, side, 0.7, shifted);
-      for (unsigned int k = 0; k < exposed.getSize(); ++k) {
-        exposed.bitmap[k] += still.bitmap[k] / steps;
-      }
-    }
-    Case made = {scene, patternOf(family, id, family.getLayout().ringInner), {}};
-    const vpImage<unsigned char> I = digitise(exposed, 2., random);
-    const MarkerPlane plane = scene.plane();
-    BlurParameters blur;
-    blur.sigma = 1.2;
-    selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, blur, 3000., made.pixels);
-    const auto fit = fitAll(made.pixels, disturbed(plane, random, 0.01), made.pattern, settingsOf(family));
-    ASSERT_TRUE(fit);
-    sum += mahalanobis(*fit, plane, true);
-    // Its variance 3^2 / 12 adds to that of the lens and the pixel in one direction.
-    const double ratio = (0.49 + 1. / 12. + moved * moved / 12.) / (0.49 + 1. / 12.);
-    const Eigen::Vector2d elongation =
-        0.25 * std::log(ratio) * Eigen::Vector2d(std::cos(2. * angle), std::sin(2. * angle));
-    EXPECT_LT((fit->photometry.blur.elongation - elongation).norm(), 0.05) << "angle " << angle;
-  }
-  // With round blur it is 20 and more.
-  EXPECT_LT(sum / count, 6. / 0.95 + 3.5 * std::sqrt(12. / count));
 }
 
 TEST(MaximumLikelihood, OccludedPixelsHaveNoWeight)

@@ -119,7 +119,7 @@ public:
     const int count = static_cast<int>(m_sectors);
     std::array<const View *, laneCount> views;
     for (int lane = 0; lane < laneCount; ++lane) {
-      const int border = static_cast<int>(nearest[lane]);
+      const int border = std::clamp(static_cast<int>(nearest[lane]), 0, 2 * count - 1);
       views[static_cast<std::size_t>(lane)] =
           &m_views[static_cast<std::size_t>(border < count ? border : border - count)];
     }
@@ -189,7 +189,9 @@ public:
       const Lanes sight = sightOf(point.radius, static_cast<float>(seen) * point.gradient, m_pattern);
       const Lanes bins = static_cast<float>(directions) * sight + direction; // their whole part
       for (std::size_t k = 0; k < count; ++k) {
-        const auto bin = static_cast<unsigned int>(bins[static_cast<std::ptrdiff_t>(k)]);
+        // A pixel that does not see the plane has any place, but in the table.
+        const auto bin = std::min(static_cast<unsigned int>(bins[static_cast<std::ptrdiff_t>(k)]),
+                                  static_cast<unsigned int>(start.size() - 2));
         m_blocks.bins[first + k] = static_cast<unsigned char>(bin);
         ++start[bin + 1];
       }

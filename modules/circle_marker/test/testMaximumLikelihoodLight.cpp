@@ -1,0 +1,140 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Test of fits under motion, a shadow and too much light.
+ */
+
+#include "testFitTools.h"
+
+using namespace circle_marker;
+using namespace fit_test;
+using namespace room_test;
+
+TEST(MaximumLikelihoodLight, MotionIsNoError)
+{
+  // Moved evenly by 3 pixels while the shutter is open: not the Gaussian that the model has, but nearly.
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  constexpr int count = 40;
+  constexpr double moved = 3.;
+  constexpr int steps = 6;
+  double sum = 0.;
+  for (int i = 0; i < count; ++i) {
+    const int id = randomId(random, family);
+    const MarkerScene scene = markerScene(random, family, id, 70., uniform(random, 0.35, 0.9), side);
+    const double angle = uniform(random, 0., M_PI);
+    vpImage<double> exposed(side, side, 0.);
+    for (int step = 0; step < steps; ++step) {
+      const double place = moved * ((step + 0.5) / steps - 0.5);
+      const auto shifted = [&](double u, double v) {
+        return scene(u + place * std::cos(angle), v + place * std::sin(angle));
+      };
+      const vpImage<double> still = expose(side, side, 0.7, shifted);
+      for (unsigned int k = 0; k < exposed.getSize(); ++k) {
+        exposed.bitmap[k] += still.bitmap[k] / steps;
+      }
+    }
+    Case made = {scene, patternOf(family, id, family.getLayout().ringInner), {}};
+    const vpImage<unsigned char> I = digitise(exposed, 2., random);
+    const MarkerPlane plane = scene.plane();
+    BlurParameters blur;
+    blur.sigma = 1.2;
+    selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, blur, 3000., made.pixels);
+    const auto fit = fitAll(made.pixels, disturbed(plane, random, 0.01), made.pattern, settingsOf(family));
+    ASSERT_TRUE(fit);
+    sum += mahalanobis(*fit, plane, true);
+    // Its variance 3^2 / 12 adds to that of the lens and the pixel in one direction.
+    const double ratio = (0.49 + 1. / 12. + moved * moved / 12.) / (0.49 + 1. / 12.);
+    const Eigen::Vector2d elongation =
+        0.25 * std::log(ratio) * Eigen::Vector2d(std::cos(2. * angle), std::sin(2. * angle));
+    EXPECT_LT((fit->photometry.blur.elongation - elongation).norm(), 0.05) << "angle " << angle;
+  }
+  // With round blur it is 20 and more.
+  EXPECT_LT(sum / count, 6. / 0.95 + 3.5 * std::sqrt(12. / count));
+}
+
+TEST(MaximumLikelihoodLight, ExactWhereThePaperIsOverExposed)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I(side, side, 0);
+  for (const vpCircleMarkerFamily::vpType type : families) {
+    const vpCircleMarkerFamily family(type);
+    for (int i = 0; i < 10; ++i) {
+      const int id = randomId(random, family);
+      Case made =
+          makeCase(markerScene(random, family, id, uniform(random, 50., 90.), uniform(random, 0.3, 0.9), side), id, I);
+      Light light;
+      light.level = uniform(random, 260., 400.);
+      fillFromModel(made, light, BlurParameters(), 0., random);
+      for (FitPixel &pixel : made.pixels) {
+        pixel.grey = std::min(pixel.grey, 255.f);
+      }
+      FitSettings settings = settingsOf(family);
+      settings.exactBends = false;
+      settings.convergence = 0.003;
+      settings.mostIterations = 200; // how bright the paper is is learnt slowly, from what is left of the edges
+      const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.01), made.pattern, settings);
+      ASSERT_TRUE(fit) << family.getName() << " level " << light.level;
+      const MarkerPlane truth = made.scene.plane();
+      EXPECT_LT((fit->plane.center - truth.center).norm() / truth.center.z(), 1e-5) << family.getName() << light.level;
+      EXPECT_LT((fit->plane.rotation.col(2) - truth.rotation.col(2)).norm(), 1e-5) << family.getName() << light.level;
+      EXPECT_NEAR(fit->photometry.light, light.level, 0.5) << family.getName();
+    }
+  }
+}
+
+TEST(MaximumLikelihoodLight, ExactUnderTheEdgeOfAShadow)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I(side, side, 0);
+  for (const vpCircleMarkerFamily::vpType type : families) {
+    const vpCircleMarkerFamily family(type);
+    for (int i = 0; i < 10; ++i) {
+      const int id = randomId(random, family);
+      Case made =
+          makeCase(markerScene(random, family, id, uniform(random, 60., 90.), uniform(random, 0.2, 0.9), side), id, I);
+      fillFromModel(made, Light(), BlurParameters(), 0., random);
+      Shadow shadow;
+      shadow.factor = uniform(random, 0.3, 0.7);
+      shadow.direction = uniform(random, -M_PI, M_PI);
+      shadow.edge = uniform(random, -0.3, 0.3);
+      shadow.softness = uniform(random, 0.05, 0.15);
+      for (FitPixel &pixel : made.pixels) {
+        const Eigen::Vector2d offset = pixel.offset.cast<double>();
+        const double beyond =
+            (offset.dot(Eigen::Vector2d(std::cos(shadow.direction), std::sin(shadow.direction))) - shadow.edge) /
+            shadow.softness;
+        pixel.grey *= static_cast<float>(1. - (1. - shadow.factor) * 0.5 * std::erfc(-beyond * M_SQRT1_2));
+      }
+      FitSettings settings = settingsOf(family);
+      settings.exactBends = false;
+      settings.convergence = 0.003;
+      settings.shadow = shadow;
+      settings.shadow->factor += uniform(random, -0.05, 0.05);
+      settings.shadow->direction += uniform(random, -0.05, 0.05);
+      settings.shadow->edge += uniform(random, -0.03, 0.03);
+      settings.shadow->softness = 0.08;
+      const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.01), made.pattern, settings);
+      ASSERT_TRUE(fit && fit->photometry.shadow) << family.getName() << " " << i;
+      const MarkerPlane truth = made.scene.plane();
+      EXPECT_LT((fit->plane.center - truth.center).norm() / truth.center.z(), 2e-6) << family.getName() << " " << i;
+      EXPECT_LT((fit->plane.rotation.col(2) - truth.rotation.col(2)).norm(), 5e-6) << family.getName() << " " << i;
+      EXPECT_NEAR(fit->photometry.shadow->factor, shadow.factor, 1e-4);
+      EXPECT_NEAR(wrapped(fit->photometry.shadow->direction - shadow.direction), 0., 1e-3);
+      EXPECT_NEAR(fit->photometry.shadow->edge, shadow.edge, 1e-3);
+      EXPECT_NEAR(fit->photometry.shadow->softness, shadow.softness, 1e-3);
+      EXPECT_GT(fit->inliers, 0.99);
+    }
+  }
+}
