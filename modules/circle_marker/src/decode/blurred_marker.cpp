@@ -42,7 +42,8 @@ constexpr double seenQuietZone = 0.9;
 constexpr double poseStep = 1e-3;
 constexpr double blurStep = 0.05;
 // What is left between model and image is the model's error more than noise, and much the same in neighbouring samples:
-// the information of about so many counts once.
+// the information of about so many counts once. The number is a guess; bench-circle-marker --hardships has what it is
+// worth.
 constexpr double coherence = 4.;
 
 // Share of what lies below an edge at \e distance (positive: inside) with a ramp of width \e width.
