@@ -20,7 +20,8 @@
 
 # bash test/in-tree.sh [--visp DIR] [--work DIR] [--quick]
 #   --visp DIR  ViSP's source; without it, the source of the distribution's package, fetched with apt-get
-#   --work DIR  folder for that source and for the build, outside of this project; kept, so that the next run is short
+#   --work DIR  folder for that source, for a copy of this project and for the build, outside of this project; kept, so
+#               that the next run is short
 #   --quick     of the tutorials and examples only those in quick_programs, not all
 # Ends with 0 (all is well), 1 (it is not), 2 (wrong arguments) or 77 (ViSP's source cannot be had here: nothing tested).
 set -euo pipefail
@@ -43,10 +44,16 @@ while [[ $# -gt 0 ]]; do
 done
 mkdir -p "$work"
 work=$(cd "$work" && pwd)
-# ViSP looks for modules in every folder of the project, its own build folder too.
 case $work/ in
   "$root"/*) echo "in-tree.sh: $work is inside the project; choose a --work folder outside" >&2; exit 2 ;;
 esac
+# ViSP looks for modules, and Doxygen for sources, in every folder of the project, in that of a standalone build as well.
+# There are copies of our headers in it, so ViSP is given the project without what was built. The files keep their dates:
+# the next run compiles only what has changed.
+project=$work/project
+rm -rf "$project"
+mkdir "$project"
+(cd "$root" && cp -a CMakeLists.txt README.md LICENSE modules tutorial example test data doc cmake "$project")
 
 bash "$root/cmake/install-packages.sh" build test
 if ! bash "$root/cmake/install-packages.sh" in-tree; then
@@ -91,10 +98,10 @@ fi
 [[ -f $visp/modules/core/CMakeLists.txt ]] || { echo "in-tree.sh: no source of ViSP in '$visp'" >&2; exit 1; }
 visp=$(cd "$visp" && pwd)
 build=$work/build-$(basename "$visp")
-echo "ViSP's source: $visp; build: $build"
+echo "ViSP's source: $visp; copy of the project: $project; build: $build"
 
 # Without USE_CXX_STANDARD, ViSP 3.5.0 changes the standard at the second configuration and compiles all again.
-options=(-DCMAKE_BUILD_TYPE=Release -DUSE_CXX_STANDARD=17 "-DVISP_CONTRIB_MODULES_PATH=$root"
+options=(-DCMAKE_BUILD_TYPE=Release -DUSE_CXX_STANDARD=17 "-DVISP_CONTRIB_MODULES_PATH=$project"
          -DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
          -DUSE_MATHJAX=ON -DBUILD_APPS=OFF -DBUILD_DEMOS=OFF -DBUILD_JAVA=OFF -DBUILD_TESTS=ON -DBUILD_TUTORIALS=ON -DBUILD_EXAMPLES=ON)
 for module in ar dnn_tracker imgproc java java_bindings_generator klt mbt python python_bindings rbt tt tt_mi; do
@@ -173,7 +180,7 @@ document()
     return 1
   fi
   find "$build" -maxdepth 2 -name warning.log -exec cat {} + > "$work/doc/warnings"
-  if grep -F "$root/" "$work/doc/warnings" >&2; then
+  if grep -F "$project/" "$work/doc/warnings" >&2; then
     return 1
   fi
   while read -r page; do
