@@ -46,6 +46,7 @@ struct Arguments
   double ratio = 0;
   bool ratioGiven = false;
   std::string perSheet = "1";
+  bool isInverse = false;
   bool listFamilies = false;
 };
 
@@ -189,7 +190,8 @@ Order orderOf(const Arguments &arguments)
   const double diameter = arguments.size * 1000;
   const double largest = sheet ? diameterInSquare(family, largestSquare(*sheet)) : diameter;
   const unsigned int perPage = markersPerPageOf(arguments, sheet, squareSide(family, diameter), largest);
-  return Order{family, ids, diameter, sheet, perPage, arguments.dotsPerInch, arguments.output, format};
+  return Order{family,           ids,   diameter, arguments.isInverse, sheet, perPage, arguments.dotsPerInch,
+               arguments.output, format};
 }
 } // namespace
 
@@ -204,7 +206,7 @@ Request parseCommandLine(int argc, const char *const argv[])
   app.add_option("--ids", arguments.ids,
                  "Several markers: 0-9 or 1,4,7; pages of one PDF, or one SVG or PNG file a page with the ids in the "
                  "name");
-  app.add_option("--size", arguments.size, "Outer diameter of the black ring, metres")->capture_default_str();
+  app.add_option("--size", arguments.size, "Outer diameter of the ring, metres")->capture_default_str();
   app.add_option("--output", arguments.output, "File to write: .svg, .pdf or .png");
   app.add_option("--sheet", arguments.sheet,
                  "Paper: a4, a3, letter, or none for just the square of marker and quiet zone")
@@ -213,6 +215,8 @@ Request parseCommandLine(int argc, const char *const argv[])
       ->capture_default_str();
   app.add_option("--dpi", arguments.dotsPerInch, "Pixels per inch of a PNG")->capture_default_str();
   const CLI::Option *ratio = app.add_option("--ratio", arguments.ratio, "Inner over outer radius of the family ring");
+  app.add_flag("--inverse", arguments.isInverse,
+               "White on black, for detectors whose polarity is WHITE_ON_BLACK or BOTH");
   app.add_flag("--list-families", arguments.listFamilies, "List the families and quit");
   app.footer("\"picture_m\" is the size of the page, metres; \"pixels\" that of the PNG, and for SVG and PDF of a "
              "rendering at --dpi.\nWith --sheet none a PNG covers the square with whole pixels, so its density may "

@@ -44,6 +44,7 @@ struct Order
   vpCircleMarkerFamily family;
   std::vector<int> ids;        //!< At least one; noId alone for a family without a code.
   double diameter;             //!< Of the ring, millimetres.
+  bool isInverse;              //!< White on black.
   std::optional<Sheet> sheet;  //!< Nothing: just the square of marker and quiet zone.
   unsigned int markersPerPage; //!< At least 1.
   double dotsPerInch;

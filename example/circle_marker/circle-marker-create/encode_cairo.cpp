@@ -55,9 +55,30 @@ struct Pen
 
   void operator()(const AnnularSector &sector) const
   {
+    cairo_new_path(context);
+    trace(sector);
+    cairo_fill(context);
+  }
+
+  void operator()(const PiercedSquare &square) const
+  {
+    cairo_new_path(context);
+    cairo_rectangle(context, square.left, square.top, square.side, square.side);
+    for (const AnnularSector &hole : square.holes) {
+      trace(hole);
+    }
+    cairo_save(context);
+    cairo_set_fill_rule(context, CAIRO_FILL_RULE_EVEN_ODD);
+    cairo_fill(context);
+    cairo_restore(context);
+  }
+
+  /*! Adds the border of a sector to the path. */
+  void trace(const AnnularSector &sector) const
+  {
     const double end = sector.start + sector.sweep;
     const bool whole = sector.sweep > 2 * std::acos(-1.) - 1e-9;
-    cairo_new_path(context);
+    cairo_new_sub_path(context);
     cairo_arc(context, sector.x, sector.y, sector.outer, sector.start, end);
     if (whole) {
       cairo_close_path(context);
@@ -70,7 +91,6 @@ struct Pen
       cairo_line_to(context, sector.x, sector.y);
     }
     cairo_close_path(context);
-    cairo_fill(context);
   }
 
   void operator()(const Line &line) const

@@ -59,15 +59,50 @@ struct Writer
       }
       return;
     }
-    const double end = sector.start + sector.sweep;
     out << "<path d=\"";
+    trace(sector);
+    out << "\"/>\n";
+  }
+
+  void operator()(const PiercedSquare &square) const
+  {
+    out << "<path fill-rule=\"evenodd\" d=\"M" << square.left << " " << square.top << " h" << square.side << " v"
+        << square.side << " h" << -square.side << " Z";
+    for (const AnnularSector &hole : square.holes) {
+      if (hole.sweep > 2 * halfTurn - 1e-9) {
+        circle(hole, hole.outer);
+        if (hole.inner > 0) {
+          circle(hole, hole.inner);
+        }
+      }
+      else {
+        out << " ";
+        trace(hole);
+      }
+    }
+    out << "\"/>\n";
+  }
+
+  /*! A whole circle as two halves: an arc of SVG that ends where it begins is none. */
+  void circle(const AnnularSector &sector, double radius) const
+  {
+    point(" M", sector, radius, 0);
+    arc(sector, radius, halfTurn, halfTurn);
+    arc(sector, radius, 2 * halfTurn, halfTurn);
+    out << " Z";
+  }
+
+  /*! The border of a sector that is no whole ring. */
+  void trace(const AnnularSector &sector) const
+  {
+    const double end = sector.start + sector.sweep;
     point("M", sector, sector.outer, sector.start);
     arc(sector, sector.outer, end, sector.sweep);
     point(" L", sector, sector.inner, end);
     if (sector.inner > 0) {
       arc(sector, sector.inner, sector.start, -sector.sweep);
     }
-    out << " Z\"/>\n";
+    out << " Z";
   }
 
   void operator()(const Line &line) const

@@ -46,8 +46,8 @@ std::vector<Page> makePages(const Order &order)
     const std::size_t last = std::min<std::size_t>(first + order.markersPerPage, order.ids.size());
     const std::vector<int> ids(order.ids.begin() + static_cast<std::ptrdiff_t>(first),
                                order.ids.begin() + static_cast<std::ptrdiff_t>(last));
-    pages.push_back(order.sheet ? sheetPage(order.family, ids, order.diameter, *order.sheet)
-                                : squarePage(order.family, ids.front(), order.diameter));
+    pages.push_back(order.sheet ? sheetPage(order.family, ids, order.diameter, order.isInverse, *order.sheet)
+                                : squarePage(order.family, ids.front(), order.diameter, order.isInverse));
   }
   return pages;
 }
@@ -85,6 +85,9 @@ std::string describe(const Order &order, const Page &page, const Raster &raster)
         << "], \"pixels\": [" << raster.width << ", " << raster.height << "]";
     if (order.sheet) {
       out << ", \"center_m\": [" << marker.x / 1000 << ", " << marker.y / 1000 << "]";
+    }
+    if (order.isInverse) {
+      out << ", \"inverse\": true";
     }
     out << "}\n";
   }

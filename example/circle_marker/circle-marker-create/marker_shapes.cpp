@@ -17,6 +17,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "marker_shapes.h"
 
@@ -25,7 +26,8 @@ namespace {
 const double fullTurn = 2 * std::acos(-1.);
 
 /*! Adjacent black sectors as one shape: drawn apart, a hair of paper would show along their common edge. */
-void addCode(const vpCircleMarkerFamily &family, int id, double radius, double x, double y, std::vector<Shape> &shapes)
+void addCode(const vpCircleMarkerFamily &family, int id, double radius, double x, double y,
+             std::vector<AnnularSector> &shapes)
 {
   const unsigned int n = family.getNbSectors();
   const vpCircleMarkerLayout &layout = family.getLayout();
@@ -54,15 +56,20 @@ double diameterInSquare(const vpCircleMarkerFamily &family, double side)
   return side / (1 + family.getLayout().quietZone);
 }
 
-std::vector<Shape> markerShapes(const vpCircleMarkerFamily &family, int id, double diameter, double x, double y)
+std::vector<Shape> markerShapes(const vpCircleMarkerFamily &family, int id, double diameter, bool isInverse, double x,
+                                double y)
 {
   const double radius = diameter / 2;
-  std::vector<Shape> shapes;
+  std::vector<AnnularSector> shapes;
   shapes.push_back(AnnularSector{x, y, radius, radius * family.getLayout().ringInner, 0, fullTurn});
   if (family.isCoded()) {
     addCode(family, id, radius, x, y, shapes);
   }
-  return shapes;
+  if (isInverse) { // One shape: white drawn over black leaves a dark hair on the edges.
+    const double side = squareSide(family, diameter);
+    return {PiercedSquare{x - side / 2, y - side / 2, side, std::move(shapes)}};
+  }
+  return std::vector<Shape>(shapes.begin(), shapes.end());
 }
 
 std::string millimetres(double length)
@@ -77,10 +84,10 @@ std::string millimetres(double length)
   return shortest;
 }
 
-std::string caption(const vpCircleMarkerFamily &family, int id, double diameter)
+std::string caption(const vpCircleMarkerFamily &family, int id, double diameter, bool isInverse)
 {
   const bool isDisc = family.getType() == vpCircleMarkerFamily::DISC;
-  std::string text = family.getName();
+  std::string text = family.getName() + (isInverse ? "  inverse" : "");
   if (family.isCoded()) {
     text += "  id " + std::to_string(id) + "  ring ";
   }

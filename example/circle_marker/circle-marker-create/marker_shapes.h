@@ -45,13 +45,15 @@ double diameterInSquare(const vpCircleMarkerFamily &family, double side);
   \param family : Layout and code.
   \param id : The marker; noId for a family without a code.
   \param diameter : Outer diameter of the ring, millimetres.
+  \param isInverse : Whether black and white are exchanged, in the marker and in the square of its quiet zone.
   \param x, y : Centre on the page, millimetres.
   \exception vpException::badValue : If the family has no such id.
 */
-std::vector<Shape> markerShapes(const vpCircleMarkerFamily &family, int id, double diameter, double x, double y);
+std::vector<Shape> markerShapes(const vpCircleMarkerFamily &family, int id, double diameter, bool isInverse, double x,
+                                double y);
 
 /*! What is written beside a marker: "golay23  id 5  ring 180 mm". */
-std::string caption(const vpCircleMarkerFamily &family, int id, double diameter);
+std::string caption(const vpCircleMarkerFamily &family, int id, double diameter, bool isInverse);
 
 /*! A length with up to two decimals, none of them useless: "180", "52.5". */
 std::string millimetres(double length);

@@ -89,7 +89,7 @@ void addScaleBar(const Sheet &sheet, std::vector<Shape> &shapes)
   shapes.push_back(Text{left - 5, y, textHeight, "0"});
   shapes.push_back(Text{left + scaleBarLength + 10, y, textHeight, millimetres(scaleBarLength) + " mm"});
   shapes.push_back(Text{sheet.width / 2, y - 6, textHeight,
-                        "Size: outer diameter of the black ring. Print at 100 %, then measure this bar."});
+                        "Size: outer diameter of the ring. Print at 100 %, then measure this bar."});
 }
 
 void addAll(const std::vector<Shape> &more, std::vector<Shape> &shapes)
@@ -98,29 +98,30 @@ void addAll(const std::vector<Shape> &more, std::vector<Shape> &shapes)
 }
 } // namespace
 
-Page squarePage(const vpCircleMarkerFamily &family, int id, double diameter)
+Page squarePage(const vpCircleMarkerFamily &family, int id, double diameter, bool isInverse)
 {
   const double side = squareSide(family, diameter);
   const PlacedMarker marker{id, side / 2, side / 2};
-  return Page{
-      Picture{side, side, caption(family, id, diameter), markerShapes(family, id, diameter, marker.x, marker.y)},
-      {marker}};
+  return Page{Picture{side, side, caption(family, id, diameter, isInverse),
+                      markerShapes(family, id, diameter, isInverse, marker.x, marker.y)},
+              {marker}};
 }
 
-Page sheetPage(const vpCircleMarkerFamily &family, const std::vector<int> &ids, double diameter, const Sheet &sheet)
+Page sheetPage(const vpCircleMarkerFamily &family, const std::vector<int> &ids, double diameter, bool isInverse,
+               const Sheet &sheet)
 {
   const double side = squareSide(family, diameter);
   const std::vector<Square> squares = placeSquares(sheet, side, static_cast<unsigned int>(ids.size()));
-  Page page{Picture{sheet.width, sheet.height, caption(family, ids.front(), diameter), {}}, {}};
+  Page page{Picture{sheet.width, sheet.height, caption(family, ids.front(), diameter, isInverse), {}}, {}};
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const PlacedMarker marker{ids[i], squares[i].left + side / 2, squares[i].top + side / 2};
     page.markers.push_back(marker);
-    addAll(markerShapes(family, marker.id, diameter, marker.x, marker.y), page.picture.shapes);
+    addAll(markerShapes(family, marker.id, diameter, isInverse, marker.x, marker.y), page.picture.shapes);
     addCutMarks(squares[i], sheet, page.picture.shapes);
-    // About 30 characters of half their height: within the width of the square, also of a small one.
+    // About 40 characters of half their height at most: within the width of the square, also of a small one.
     const double height = std::min(textHeight, side / 18);
-    page.picture.shapes.push_back(
-        Text{marker.x, squares[i].top + side + 1 + 1.2 * height, height, caption(family, marker.id, diameter)});
+    page.picture.shapes.push_back(Text{marker.x, squares[i].top + side + 1 + 1.2 * height, height,
+                                       caption(family, marker.id, diameter, isInverse)});
   }
   addScaleBar(sheet, page.picture.shapes);
   return page;

@@ -39,15 +39,17 @@ struct Page
 };
 
 /*! Just the square of a marker and its quiet zone, the marker in its middle. */
-Page squarePage(const vpCircleMarkerFamily &family, int id, double diameter);
+Page squarePage(const vpCircleMarkerFamily &family, int id, double diameter, bool isInverse);
 
 /*!
   A sheet with markers, each with a caption and cut marks, and a scale bar at the foot. Nothing but the markers enters
   their squares.
   \e diameter: Of the rings, millimetres.
+  \e isInverse: Whether the markers are white on black.
   \e ids: At most as many as capacity(sheet, squareSide(family, diameter)).
 */
-Page sheetPage(const vpCircleMarkerFamily &family, const std::vector<int> &ids, double diameter, const Sheet &sheet);
+Page sheetPage(const vpCircleMarkerFamily &family, const std::vector<int> &ids, double diameter, bool isInverse,
+               const Sheet &sheet);
 } // namespace create
 
 #endif

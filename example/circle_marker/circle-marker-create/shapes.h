@@ -36,6 +36,13 @@ struct AnnularSector
   double start, sweep; //!< First angle and the angle spanned.
 };
 
+/*! An upright square out of which annular sectors are cut, none overlapping another. */
+struct PiercedSquare
+{
+  double left, top, side;
+  std::vector<AnnularSector> holes;
+};
+
 /*! A straight line with square ends at its two points. */
 struct Line
 {
@@ -51,7 +58,7 @@ struct Text
   std::string text; //!< ASCII.
 };
 
-using Shape = std::variant<AnnularSector, Line, Text>;
+using Shape = std::variant<AnnularSector, PiercedSquare, Line, Text>;
 
 struct Picture
 {
