@@ -31,13 +31,16 @@ namespace circle_marker {
 namespace {
 // Directions that are looked at: one for each pixel around the smallest ring.
 constexpr std::size_t directions = 32;
-// Share of them in which the shape must show: all but two. The leg of a P covers three.
-constexpr double leastShare = 0.93;
+// Share of them in which the shape must show: all but one. The leg of a P covers three.
+constexpr double leastShare = 0.96;
 // A direction shows it if its step is at least this share of what the median contrast makes there: noise of an eighth
 // of the contrast, four times over.
 constexpr double leastStep = 0.5;
 // Blur of an interpolated sample, pixels: as for the code track.
 constexpr double assumedBlur = 0.85;
+// Where less than twice this share of the contrast is to be expected of the outer step, its absence does not tell:
+// noise of 2 % of the contrast, and the outline off by a tenth of a pixel, make as much.
+constexpr double stepInDoubt = 0.1;
 // Where less than this share of the contrast is to be expected, noise is not enlarged to tell it.
 constexpr double leastExpected = 0.1;
 // Where white is read in the quiet zone, and the inside of a ring, of its inner radius, and of a disc: past most of the
@@ -53,6 +56,9 @@ constexpr double sameShare = 2.;
 // this share of all is left.
 constexpr double edgeOfShadow = 2.5;
 constexpr double leastAsked = 0.6;
+// Light that falls off evenly leaves this share of that at the centre on the dark side: nine tenths of the bright
+// side's is gone.
+constexpr double leastLight = 0.15;
 
 using Greys = std::array<double, directions>;
 
@@ -118,15 +124,34 @@ bool isShadow(const MarkerLight &light, const Greys &dark, double darkRadius)
          shaded * light.getBright() * inLight < sameShare * lit * light.getDark() * inShadow;
 }
 
-// Pixels for a unit of the marker's plane along the direction of a point on its outline.
+// Fall-off of the light in one direction: its slope over the outer radius, in units of the light at the centre, from
+// greys of the paper along a circle.
+Eigen::Vector2d slopeOfLight(const Greys &paper, double radius)
+{
+  double mean = 0.;
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < directions; ++i) {
+    mean += paper[i] / directions;
+    slope += 2. * paper[i] / (directions * radius) * onCircle(1., i);
+  }
+  return slope / std::max(mean, 1.);
+}
+
+// Pixels for a unit of the radius across the marker's outline at a direction from its centre. Along that direction they
+// are more where the image is an elongated ellipse: the way out crosses its edge at a slant, and the blur does not.
 double pixelsPerUnit(const CameraModel &camera, const MarkerPlane &plane, std::size_t direction)
 {
   constexpr double step = 0.1; // of the radius, to either side: a secant short enough to be a tangent
   const double angle = 2. * M_PI * static_cast<double>(direction) / directions;
-  const Eigen::Vector2d point(std::cos(angle), std::sin(angle));
-  const Eigen::Vector2d outer = camera.toPixel(plane.project((1. + step) * point));
-  const Eigen::Vector2d inner = camera.toPixel(plane.project((1. - step) * point));
-  return (outer - inner).norm() / (2. * step);
+  const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
+  const Eigen::Vector2d along(-out.y(), out.x());
+  const auto secant = [&](const Eigen::Vector2d &way) {
+    return Eigen::Vector2d(camera.toPixel(plane.project(out + step * way)) -
+                           camera.toPixel(plane.project(out - step * way)));
+  };
+  const Eigen::Vector2d radial = secant(out);
+  const Eigen::Vector2d tangent = secant(along).normalized();
+  return std::abs(radial.x() * tangent.y() - radial.y() * tangent.x()) / (2. * step);
 }
 } // namespace
 
@@ -148,15 +173,23 @@ bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camer
   const bool hasShadow = light.hasShadow() && isShadow(light, dark, darkRadius);
   std::array<bool, directions> isAsked;
   isAsked.fill(true);
+  const std::array<std::pair<Greys *, double>, 3> circles = {
+      {{&outside, whiteRadius}, {&dark, darkRadius}, {&inside, insideRadius}}};
   if (hasShadow) { // all as it would be in the light
-    const std::array<std::pair<Greys *, double>, 3> circles = {
-        {{&outside, whiteRadius}, {&dark, darkRadius}, {&inside, insideRadius}}};
     for (std::size_t i = 0; i < directions; ++i) {
       const double edge = edgeOfShadow / pixelsPerUnit(camera, plane, i);
       for (const auto &[greys, radius] : circles) {
         const Eigen::Vector2d place = onCircle(radius, i);
         (*greys)[i] *= light.getBright() / std::max(light.at(place), 1.);
         isAsked[i] = isAsked[i] && std::abs(light.distanceToShadow(place)) > edge;
+      }
+    }
+  }
+  else {
+    const Eigen::Vector2d slope = isDisc ? slopeOfLight(outside, whiteRadius) : slopeOfLight(inside, insideRadius);
+    for (const auto &[greys, radius] : circles) {
+      for (std::size_t i = 0; i < directions; ++i) {
+        (*greys)[i] /= std::max(1. + slope.dot(onCircle(radius, i)), leastLight);
       }
     }
   }
@@ -183,7 +216,8 @@ bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camer
     }
     ++asked;
     const double outerStep = outside[i] - (isDisc ? inside[i] : dark[i]);
-    shown += contrast[i] >= leastStep * usual && outerStep >= leastStep * usual * expectedOuter[i] ? 1 : 0;
+    const double leastOuter = std::min(leastStep * expectedOuter[i], expectedOuter[i] - stepInDoubt);
+    shown += contrast[i] >= leastStep * usual && outerStep >= leastOuter * usual ? 1 : 0;
   }
   return static_cast<double>(shown) >= leastShare * static_cast<double>(asked) &&
          static_cast<double>(asked) >= leastAsked * directions;
