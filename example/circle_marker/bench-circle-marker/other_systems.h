@@ -25,6 +25,10 @@
 #include <visp3/core/vpImage.h>
 
 namespace bench {
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
+
 /*!
   Names of the systems whose signs otherSystemsImage() draws: square tags (AprilTag's families and ArUco's, with
   OpenCV's module of them), checkerboards, concentric rings as CCTag's, discs with a hole as WhyCon's, rings with teeth

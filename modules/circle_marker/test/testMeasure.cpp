@@ -81,6 +81,33 @@ TEST(Measure, TheTruthComesFirst)
   }
 }
 
+// Two and a half times too much light: all paper is 255, and the outline that starts are taken from has shrunk.
+TEST(Measure, TheTruthComesFirstInOverExposedPictures)
+{
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING}) {
+    const vpCircleMarkerFamily family(type);
+    const int id = family.isCoded() ? 5 : -1;
+    for (int i = 0; i < 25; ++i) {
+      MarkerScene scene = markerScene(random, family, id, uniform(random, 40., 80.), uniform(random, 0.5, 0.95), side);
+      for (double *grey : {&scene.white, &scene.black, &scene.surround}) {
+        *grey *= 2.5;
+      }
+      const vpImage<unsigned char> I = digitise(expose(side, side, 0.7, scene), 2., random);
+      Recognition marker = recognised(scene, id, i % 2);
+      for (MarkerPlane &plane : marker.poses) {
+        plane.center *= 1.04;
+      }
+      MeasureMemory memory;
+      const auto result = measure(I, CameraModel(scene.camera()), marker, true, memory);
+      ASSERT_TRUE(result) << family.getName();
+      EXPECT_LT(angleBetween(result->first.plane.rotation.col(2), scene.rotation.col(2)), 0.03)
+          << family.getName() << " " << i << " odds " << result->cost2 - result->cost;
+      EXPECT_LT((result->first.plane.center - scene.center).norm(), 0.005 * scene.center.z());
+    }
+  }
+}
+
 TEST(Measure, ADiscCannotTellItsPosesApart)
 {
   // One frame of a disc gives both poses the same likelihood, so neither may be called much the better.

@@ -36,6 +36,7 @@ struct FittedPose
   double noise = 0.;                      //!< Standard deviation of the residuals that count, grey levels.
   double inliers = 0.;                    //!< Share of the pixels that count, in [0, 1].
   double correlation = 0.;                //!< Between model and image, in [-1, 1].
+  bool isSettled = false;                 //!< Whether it has come to the end of its steps, not to the last allowed.
   Eigen::Matrix<double, 6, 6> covariance; //!< Of (t, w): see Darkness::byPose.
 };
 

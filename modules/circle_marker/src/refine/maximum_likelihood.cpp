@@ -264,6 +264,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
       result.photometry.unevenShare = fit.unevenShareOfResiduals(noise);
       if (!preparation.isRough(plane, result.photometry)) {
         lastStep = step / biweightStep; // the weights change as well
+        result.isSettled = true;
         break;
       }
       preparation.prepare(plane, result.photometry, noise);
@@ -295,6 +296,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
     }
     damping = std::max(damping * 10., leastDamping);
     if (damping > mostDamping) {
+      result.isSettled = true;
       break;
     }
   }

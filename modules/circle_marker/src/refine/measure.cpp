@@ -231,7 +231,10 @@ RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &came
     };
     const BlurParameters fitted = boundedBlur(fits[0].photometry.blur);
     const bool isWide = fitted.widest() > muchWider * blur.widest();
-    if (!isWide && std::any_of(around.begin(), around.end(), isNear)) {
+    // With a light far from what was guessed, of which an over-exposed picture shows little, even the best creeps. They
+    // all stand in the same light.
+    const bool isSettled = fits[0].isSettled || settings.mostIterations == 0;
+    if (!isWide && isSettled && std::any_of(around.begin(), around.end(), isNear)) {
       break;
     }
     blur = fitted;
@@ -239,7 +242,10 @@ RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &came
     starts.clear();
     for (const FittedPose &fit : fits) {
       around.push_back(fit.plane);
-      starts.push_back({fit.plane, isWide ? std::optional<Photometry>(fit.photometry) : std::nullopt, std::nullopt});
+      starts.push_back({fit.plane, std::nullopt, std::nullopt});
+      if (isWide || !isSettled) {
+        starts.back().photometry = isSettled ? fit.photometry : fits[0].photometry;
+      }
     }
   }
   return ranked;
