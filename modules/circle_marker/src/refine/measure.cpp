@@ -70,6 +70,9 @@ constexpr double outlineError = 0.1;
 // Black that has grown by more than this on each side, pixels, three times what is expected of it at most, is another
 // ring.
 constexpr double mostGrowth = 0.9;
+// Two fits of one marker stand in the same light, and are equally sharp: by this difference of their blur or of the
+// growth of black, pixels, one of them is not at its minimum.
+constexpr double sameLight = 0.03;
 // A pose whose log-odds against are beyond this on the coarse pixels is not refined any further.
 constexpr double hopelessOdds = 30.;
 
@@ -180,6 +183,20 @@ bool isHopeless(const FittedPose &fit, const FittedPose &best, double noise)
 {
   return fit.squares - best.squares > 2. * hopelessOdds * noise * noise;
 }
+
+// The pose that looks nearly the same: its normal on the other side of the line of sight.
+MarkerPlane mirrored(const MarkerPlane &plane)
+{
+  const Eigen::Vector3d sight = plane.center.normalized();
+  const Eigen::Vector3d normal = plane.rotation.col(2);
+  return turnedTo(plane, 2. * normal.dot(sight) * sight - normal);
+}
+
+bool isSameLight(const Photometry &p, const Photometry &q)
+{
+  return std::max(std::abs(p.blur.sigma - q.blur.sigma), std::abs(p.blur.growth - q.blur.growth)) < sameLight;
+}
+
 // Leaves out what is known to be covered: much of it would pull the first steps away, and raise what is taken for
 // noise.
 void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
@@ -300,11 +317,11 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
       fits.pop_back();
     }
     const std::array<MarkerPlane, 2> planes = {fits.front().plane, fits.back().plane};
+    const BlurParameters blur = boundedBlur(fits[0].photometry.blur);
     if (!settings.spinIsKnown) {
       PaperEnd &square = pattern.paper[static_cast<std::size_t>(PaperShape::SQUARE)];
-      square.angle = squareAngleOf(I, camera, planes[0], square.extent);
+      square.angle = squareAngleOf(I, camera, planes[0], square.extent, blur.sigma);
     }
-    const BlurParameters blur = boundedBlur(fits[0].photometry.blur);
     memory.fitter->selectPixels(I, camera, frame, planes.data(), fits.size(), pattern, blur, manyPixels, memory.pixels);
     dropCovered(marker, memory.pixels);
     std::vector<FitStart> starts;
@@ -316,6 +333,15 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
       return std::nullopt;
     }
     noise = rank(memory.pixels, pattern, true, fits, *memory.fitter);
+    // From where a small marker's coarse fit ends, a wrong pose may come to its minimum and the right one be stuck.
+    if (fits.size() > 1 && !isSameLight(fits[0].photometry, fits[1].photometry)) {
+      const FitStart again = {mirrored(fits[0].plane), fits[0].photometry, noise};
+      if (const auto other = memory.fitter->fitPose(memory.pixels, again, pattern, settings)) {
+        fits.push_back(*other);
+        noise = rank(memory.pixels, pattern, true, fits, *memory.fitter);
+        keepTwo(fits);
+      }
+    }
   }
   const double refined = pattern.sectors > 0 ? leastCorrelation : leastCorrelationWithoutCode;
   const double least = refine ? refined : leastCorrelationUnrefined;

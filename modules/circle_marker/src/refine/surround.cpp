@@ -17,6 +17,7 @@
 
 #include "refine/surround.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -32,8 +33,63 @@ constexpr unsigned int looks = 4;
 constexpr double clearOfBlur = 1.5; // standard deviations
 // Where the square is looked for, in units of half of its width: its corners are at 1.41.
 constexpr std::array<double, 4> sampleExtents = {{1.07, 1.14, 1.21, 1.28}};
-// Angles of the square that are tried, 5 degrees apart: an error of half of that moves its sides by 1 % of the radius.
+// Angles of the square that are tried, 5 degrees apart: each within reach of the best that lies between them.
 constexpr int squareAngles = 18;
+// Then that is halved so often: to 0.16 degrees, which moves the square's corners by 0.5 % of the radius.
+constexpr int angleHalvings = 5;
+
+// Samples of the image around a marker, between the sides of a square sheet and its corners.
+class SheetSamples
+{
+public:
+  SheetSamples(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane, double outermost)
+      : m_outermost(outermost)
+  {
+    for (unsigned int k = 0; k < Surround::directions; ++k) {
+      const double direction = 2. * M_PI * k / Surround::directions;
+      for (const double extent : sampleExtents) {
+        const Eigen::Vector2d q = extent * outermost * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+        const Eigen::Vector2d p = camera.toPixel(plane.project(q));
+        if (const auto grey = bilinear(I, p)) {
+          const ModelPixel pixel = {camera.toMeter(p), camera.meterPerPixel(p)};
+          m_samples[m_count++] = {planePoint(pixel, plane), *grey};
+          m_mean += *grey;
+        }
+      }
+    }
+    m_mean /= std::max(static_cast<double>(m_count), 1.);
+  }
+
+  // How much of the samples' variance a square at this angle explains, dark beyond its sides: its square root, times
+  // a constant.
+  double score(double angle, double blur) const
+  {
+    PaperEnd paper;
+    paper.shape = PaperShape::SQUARE;
+    paper.extent = m_outermost;
+    paper.angle = angle;
+    double sum = 0., squares = 0., product = 0.;
+    for (std::size_t i = 0; i < m_count; ++i) {
+      const double share = shareBeyond(m_samples[i].point, paper, blur);
+      sum += share;
+      squares += share * share;
+      product += share * (m_mean - m_samples[i].grey);
+    }
+    const double variance = squares - sum * sum / static_cast<double>(m_count);
+    return variance > 0. ? product / std::sqrt(variance) : 0.;
+  }
+
+private:
+  struct Sample
+  {
+    PlanePoint point;
+    double grey;
+  };
+  std::array<Sample, Surround::directions * sampleExtents.size()> m_samples;
+  std::size_t m_count = 0;
+  double m_mean = 0.;
+  double m_outermost;
+};
 } // namespace
 
 unsigned int Surround::directionOf(const Eigen::Vector2d &q)
@@ -92,45 +148,26 @@ double shareBeyond(const PlanePoint &point, const PaperEnd &paper, double blur)
 }
 
 double squareAngleOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                     double outermost)
+                     double outermost, double blur)
 {
-  // Samples between the square's sides and its corners; those near the edge count for both.
-  std::array<std::pair<Eigen::Vector2d, double>, Surround::directions * sampleExtents.size()> samples;
-  std::size_t count = 0;
-  double total = 0.;
-  for (unsigned int k = 0; k < Surround::directions; ++k) {
-    const double direction = 2. * M_PI * k / Surround::directions;
-    for (const double extent : sampleExtents) {
-      const Eigen::Vector2d q = extent * outermost * Eigen::Vector2d(std::cos(direction), std::sin(direction));
-      if (const auto grey = bilinear(I, camera.toPixel(plane.project(q)))) {
-        samples[count++] = {q, *grey};
-        total += *grey;
-      }
-    }
-  }
+  const SheetSamples samples(I, camera, plane, outermost);
   double best = 0., bestScore = 0.;
-  for (int k = 0; k < squareAngles; ++k) {
-    PaperEnd paper;
-    paper.angle = 0.5 * M_PI * k / squareAngles;
-    double inside = 0., insideTotal = 0.;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto &[q, grey] = samples[i];
-      if (paper.alongAxes(q).cwiseAbs().maxCoeff() < outermost) {
-        inside += 1.;
-        insideTotal += grey;
-      }
-    }
-    const double outside = static_cast<double>(count) - inside;
-    if (inside < 1. || outside < 1.) {
-      continue;
-    }
-    // Variance between both parts.
-    const double difference = insideTotal / inside - (total - insideTotal) / outside;
-    const double score = inside * outside * difference * difference;
-    if (difference > 0. && score > bestScore) {
-      best = paper.angle;
+  const auto attempt = [&](double angle) {
+    const double score = samples.score(angle, blur);
+    if (score > bestScore) {
+      best = angle;
       bestScore = score;
     }
+  };
+  double apart = 0.5 * M_PI / squareAngles;
+  for (int k = 0; k < squareAngles; ++k) {
+    attempt(apart * k);
+  }
+  for (int halving = 0; halving < angleHalvings && bestScore > 0.; ++halving) {
+    apart *= 0.5;
+    const double middle = best;
+    attempt(middle - apart);
+    attempt(middle + apart);
   }
   return best;
 }

@@ -68,13 +68,14 @@ Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, 
 double shareBeyond(const PlanePoint &point, const PaperEnd &paper, double blur);
 
 /*!
-  Angle of the square sheet around a marker whose frame does not tell it, in [0, pi / 2): the one at which what is
-  inside of the square differs most from what is outside. Anything if the paper goes on, where it does not matter.
+  Angle of the square sheet around a marker whose frame does not tell it, up to quarter turns: the one at which a square
+  that is darker outside explains most of the image. Anything if the paper goes on, where it does not matter.
   \param I, camera, plane : As above.
   \param outermost : Half of the square's width, in units of the outer radius.
+  \param blur : Standard deviation of the blur, pixels.
 */
 double squareAngleOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                     double outermost);
+                     double outermost, double blur);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
