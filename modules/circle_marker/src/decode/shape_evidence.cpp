@@ -20,7 +20,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+
+#include <Eigen/Cholesky>
 
 #include "decode/marker_light.h"
 #include "support/bilinear.h"
@@ -36,13 +37,14 @@ constexpr double leastShare = 0.96;
 // A direction shows it if its step is at least this share of what the median contrast makes there: noise of an eighth
 // of the contrast, four times over.
 constexpr double leastStep = 0.5;
-// Blur of an interpolated sample, pixels: as for the code track.
-constexpr double assumedBlur = 0.85;
+// Blurs of an interpolated sample that are tried, pixels: as for the code track and more. With less, steps are larger
+// than expected, which harms nothing; and on a thin ring little blur of grey ink looks like much of black.
+constexpr std::array<double, 3> blurs = {{0.85, 1.1, 1.4}};
+// How far beyond the quiet zone its surround is looked at, pixels: most of the blur is over.
+constexpr double lookBeyond = 1.5;
 // Where less than twice this share of the contrast is to be expected of the outer step, its absence does not tell:
 // noise of 2 % of the contrast, and the outline off by a tenth of a pixel, make as much.
 constexpr double stepInDoubt = 0.1;
-// Where less than this share of the contrast is to be expected, noise is not enlarged to tell it.
-constexpr double leastExpected = 0.1;
 // Where white is read in the quiet zone, and the inside of a ring, of its inner radius, and of a disc: past most of the
 // blur, as far from the edge as the print allows.
 constexpr double whiteOfQuietZone = 0.6;
@@ -62,62 +64,65 @@ constexpr double leastLight = 0.15;
 
 using Greys = std::array<double, directions>;
 
-// Grey levels along a circle of the marker's plane; false if it reaches out of the image.
-bool sampleCircle(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane, double radius,
-                  Greys &greys)
-{
-  for (std::size_t i = 0; i < directions; ++i) {
-    const double angle = 2. * M_PI * static_cast<double>(i) / directions;
-    const Eigen::Vector2d point = radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    const auto grey = bilinear(I, camera.toPixel(plane.project(point)));
-    if (!grey) {
-      return false;
-    }
-    greys[i] = *grey;
-  }
-  return true;
-}
-
-double median(Greys greys)
-{
-  std::nth_element(greys.begin(), greys.begin() + directions / 2, greys.end());
-  return greys[directions / 2];
-}
-
-/*! A ring's or disc's profile across its rim as it is printed, 1 for white and 0 for black, and as the blur leaves it.
- */
-struct Profile
-{
-  double ringInner;
-  double quietZone;
-
-  // Grey level at a radius; blur in units of the outer radius; surround: what lies beyond the quiet zone, unknown.
-  double at(double radius, double blur, double surround) const
-  {
-    const NormalDistribution &normal = NormalDistribution::instance();
-    const double uptoInner = ringInner > 0. ? normal.at((ringInner - radius) / blur).cumulative : 0.;
-    const double uptoOuter = normal.at((1. - radius) / blur).cumulative;
-    const double uptoMargin = normal.at((1. + quietZone - radius) / blur).cumulative;
-    return uptoInner + (uptoMargin - uptoOuter) + surround * (1. - uptoMargin);
-  }
-};
-
 Eigen::Vector2d onCircle(double radius, std::size_t direction)
 {
   const double angle = 2. * M_PI * static_cast<double>(direction) / directions;
   return radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
 }
 
+/*! Grey levels along a circle of the marker's plane, radius in units of the outer one. */
+struct Circle
+{
+  double radius;
+  Greys greys;
+};
+
+// False if it reaches out of the image.
+bool sampleCircle(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane, Circle &circle)
+{
+  for (std::size_t i = 0; i < directions; ++i) {
+    const auto grey = bilinear(I, camera.toPixel(plane.project(onCircle(circle.radius, i))));
+    if (!grey) {
+      return false;
+    }
+    circle.greys[i] = *grey;
+  }
+  return true;
+}
+
+// What a sample sees: shares of paper, ink and surround.
+struct Shares
+{
+  double paper, ink, surround;
+};
+
+/*! A ring's or disc's profile across its rim as it is printed, and as the blur leaves it. */
+struct Profile
+{
+  double ringInner;
+  double quietZone;
+
+  // At a radius; blur in units of the outer radius.
+  Shares at(double radius, double blur) const
+  {
+    const NormalDistribution &normal = NormalDistribution::instance();
+    const double uptoInner = ringInner > 0. ? normal.at((ringInner - radius) / blur).cumulative : 0.;
+    const double uptoOuter = normal.at((1. - radius) / blur).cumulative;
+    const double uptoMargin = normal.at((1. + quietZone - radius) / blur).cumulative;
+    return {uptoInner + uptoMargin - uptoOuter, uptoOuter - uptoInner, 1. - uptoMargin};
+  }
+};
+
 // Whether the dark side of the light around is a shadow: the ring's ink is darker there, too.
-bool isShadow(const MarkerLight &light, const Greys &dark, double darkRadius)
+bool isShadow(const MarkerLight &light, const Circle &dark)
 {
   double lit = 0.;
   double shaded = 0.;
   double inLight = 0.;
   double inShadow = 0.;
   for (std::size_t i = 0; i < directions; ++i) {
-    const bool isLit = light.distanceToShadow(onCircle(darkRadius, i)) > 0.;
-    (isLit ? lit : shaded) += dark[i];
+    const bool isLit = light.distanceToShadow(onCircle(dark.radius, i)) > 0.;
+    (isLit ? lit : shaded) += dark.greys[i];
     (isLit ? inLight : inShadow) += 1.;
   }
   return inLight > 0. && inShadow > 0. &&
@@ -126,13 +131,13 @@ bool isShadow(const MarkerLight &light, const Greys &dark, double darkRadius)
 
 // Fall-off of the light in one direction: its slope over the outer radius, in units of the light at the centre, from
 // greys of the paper along a circle.
-Eigen::Vector2d slopeOfLight(const Greys &paper, double radius)
+Eigen::Vector2d slopeOfLight(const Circle &paper)
 {
   double mean = 0.;
   Eigen::Vector2d slope = Eigen::Vector2d::Zero();
   for (std::size_t i = 0; i < directions; ++i) {
-    mean += paper[i] / directions;
-    slope += 2. * paper[i] / (directions * radius) * onCircle(1., i);
+    mean += paper.greys[i] / directions;
+    slope += 2. * paper.greys[i] / (directions * paper.radius) * onCircle(1., i);
   }
   return slope / std::max(mean, 1.);
 }
@@ -153,71 +158,128 @@ double pixelsPerUnit(const CameraModel &camera, const MarkerPlane &plane, std::s
   const Eigen::Vector2d tangent = secant(along).normalized();
   return std::abs(radial.x() * tangent.y() - radial.y() * tangent.x()) / (2. * step);
 }
+
+/*! What lies around a marker, direction by direction. */
+struct Around
+{
+  Circle surround;     //!< Grey levels beyond the quiet zone.
+  Greys pixelsPerUnit; //!< See above.
+};
+
+// A surround that is out of the image is taken for as dark as the ink.
+Around lookAround(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                  const vpCircleMarkerLayout &layout, const Circle &dark)
+{
+  Around around;
+  around.surround.radius = 1. + layout.quietZone;
+  for (std::size_t i = 0; i < directions; ++i) {
+    around.pixelsPerUnit[i] = pixelsPerUnit(camera, plane, i);
+    const double radius = around.surround.radius + lookBeyond / around.pixelsPerUnit[i];
+    const auto grey = bilinear(I, camera.toPixel(plane.project(onCircle(radius, i))));
+    around.surround.greys[i] = grey ? *grey : dark.greys[i];
+  }
+  return around;
+}
+
+/*! The print that explains the greys of all directions best. */
+struct Print
+{
+  Profile profile;
+  double blur; // pixels
+  double paper, ink;
+
+  // Grey level at a radius and direction.
+  double at(double radius, std::size_t i, const Around &around) const
+  {
+    const Shares shares = profile.at(radius, blur / around.pixelsPerUnit[i]);
+    return shares.paper * paper + shares.ink * ink + shares.surround * around.surround.greys[i];
+  }
+};
+
+// For each blur, paper and ink by linear least squares.
+Print fitPrint(const Profile &profile, const std::array<const Circle *, 3> &circles, const Around &around)
+{
+  Print best = {profile, blurs[0], 0., 0.};
+  double least = HUGE_VAL;
+  for (const double blur : blurs) {
+    Eigen::Matrix2d matrix = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d right = Eigen::Vector2d::Zero();
+    double squares = 0.;
+    for (const Circle *circle : circles) {
+      for (std::size_t i = 0; i < directions; ++i) {
+        const Shares shares = profile.at(circle->radius, blur / around.pixelsPerUnit[i]);
+        const Eigen::Vector2d row(shares.paper, shares.ink);
+        const double grey = circle->greys[i] - shares.surround * around.surround.greys[i];
+        matrix += row * row.transpose();
+        right += grey * row;
+        squares += grey * grey;
+      }
+    }
+    const Eigen::Vector2d solution = matrix.ldlt().solve(right);
+    const double left = squares - right.dot(solution);
+    if (left < least) {
+      least = left;
+      best = {profile, blur, solution[0], solution[1]};
+    }
+  }
+  return best;
+}
 } // namespace
 
 bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
                        const vpCircleMarkerLayout &layout, double ringInner)
 {
   const bool isDisc = ringInner == 0.;
-  const double whiteRadius = 1. + whiteOfQuietZone * layout.quietZone;
-  const double darkRadius = isDisc ? rimOfDisc : 0.5 * (1. + ringInner);
-  const double insideRadius = isDisc ? insideOfDisc : insideOfRing * ringInner;
-  Greys outside;
-  Greys dark;
-  Greys inside;
-  if (!sampleCircle(I, camera, plane, whiteRadius, outside) || !sampleCircle(I, camera, plane, darkRadius, dark) ||
-      !sampleCircle(I, camera, plane, insideRadius, inside)) {
+  Circle outside = {1. + whiteOfQuietZone * layout.quietZone, {}};
+  Circle dark = {isDisc ? rimOfDisc : 0.5 * (1. + ringInner), {}};
+  Circle inside = {isDisc ? insideOfDisc : insideOfRing * ringInner, {}};
+  if (!sampleCircle(I, camera, plane, outside) || !sampleCircle(I, camera, plane, dark) ||
+      !sampleCircle(I, camera, plane, inside)) {
     return false;
   }
-  const MarkerLight light(outside.data(), directions, whiteRadius, 0.);
-  const bool hasShadow = light.hasShadow() && isShadow(light, dark, darkRadius);
+  Around around = lookAround(I, camera, plane, layout, dark);
+  const MarkerLight light(outside.greys.data(), directions, outside.radius, 0.);
   std::array<bool, directions> isAsked;
   isAsked.fill(true);
-  const std::array<std::pair<Greys *, double>, 3> circles = {
-      {{&outside, whiteRadius}, {&dark, darkRadius}, {&inside, insideRadius}}};
-  if (hasShadow) { // all as it would be in the light
+  if (light.hasShadow() && isShadow(light, dark)) { // all as it would be in the light
     for (std::size_t i = 0; i < directions; ++i) {
-      const double edge = edgeOfShadow / pixelsPerUnit(camera, plane, i);
-      for (const auto &[greys, radius] : circles) {
-        const Eigen::Vector2d place = onCircle(radius, i);
-        (*greys)[i] *= light.getBright() / std::max(light.at(place), 1.);
+      const double edge = edgeOfShadow / around.pixelsPerUnit[i];
+      for (Circle *circle : {&outside, &dark, &inside, &around.surround}) {
+        const Eigen::Vector2d place = onCircle(circle->radius, i);
+        circle->greys[i] *= light.getBright() / std::max(light.at(place), 1.);
         isAsked[i] = isAsked[i] && std::abs(light.distanceToShadow(place)) > edge;
       }
     }
   }
   else {
-    const Eigen::Vector2d slope = isDisc ? slopeOfLight(outside, whiteRadius) : slopeOfLight(inside, insideRadius);
-    for (const auto &[greys, radius] : circles) {
+    const Eigen::Vector2d slope = slopeOfLight(isDisc ? outside : inside);
+    for (Circle *circle : {&outside, &dark, &inside, &around.surround}) {
       for (std::size_t i = 0; i < directions; ++i) {
-        (*greys)[i] /= std::max(1. + slope.dot(onCircle(radius, i)), leastLight);
+        circle->greys[i] /= std::max(1. + slope.dot(onCircle(circle->radius, i)), leastLight);
       }
     }
   }
-  const Profile profile = {ringInner, layout.quietZone};
-  Greys expectedOuter; // with a surround as black as the ink: less it cannot be
-  Greys contrast;
-  for (std::size_t i = 0; i < directions; ++i) {
-    const double blur = assumedBlur / pixelsPerUnit(camera, plane, i);
-    expectedOuter[i] = profile.at(whiteRadius, blur, 0.) - profile.at(darkRadius, blur, 0.);
-    // A ring's contrast is told by its inner step, which the surround hardly reaches; a disc has the outer one alone.
-    const double expected =
-        isDisc ? expectedOuter[i] : profile.at(insideRadius, blur, 0.5) - profile.at(darkRadius, blur, 0.5);
-    contrast[i] = (isDisc ? outside[i] - dark[i] : inside[i] - dark[i]) / std::max(expected, leastExpected);
-  }
-  const double usual = median(contrast);
-  if (usual <= 0.) {
+  const Print print = fitPrint({ringInner, layout.quietZone}, {{&outside, &dark, &inside}}, around);
+  const double contrast = print.paper - print.ink;
+  if (contrast <= 0.) {
     return false;
   }
+  // Of the surround a single look is not much: it is expected to be as dark as the ink at least.
+  for (double &grey : around.surround.greys) {
+    grey = std::min(grey, print.ink);
+  }
+  // Whether the step from the second circle to the first one is there.
+  const auto shows = [&](const Circle &white, const Circle &black, std::size_t i) {
+    const double expected = print.at(white.radius, i, around) - print.at(black.radius, i, around);
+    return white.greys[i] - black.greys[i] >= std::min(leastStep * expected, expected - stepInDoubt * contrast);
+  };
   std::size_t shown = 0;
   std::size_t asked = 0;
   for (std::size_t i = 0; i < directions; ++i) {
-    if (!isAsked[i]) {
-      continue;
+    if (isAsked[i]) {
+      ++asked;
+      shown += shows(outside, dark, i) && (isDisc ? shows(outside, inside, i) : shows(inside, dark, i)) ? 1 : 0;
     }
-    ++asked;
-    const double outerStep = outside[i] - (isDisc ? inside[i] : dark[i]);
-    const double leastOuter = std::min(leastStep * expectedOuter[i], expectedOuter[i] - stepInDoubt);
-    shown += contrast[i] >= leastStep * usual && outerStep >= leastOuter * usual ? 1 : 0;
   }
   return static_cast<double>(shown) >= leastShare * static_cast<double>(asked) &&
          static_cast<double>(asked) >= leastAsked * directions;
