@@ -35,202 +35,292 @@ constexpr int stepY[8] = {0, 1, 1, 1, 0, -1, -1, -1};
 constexpr std::int64_t leastSquaredCosineInverse = 4;
 // A loop of fewer pixels than this is noise, and a chain closes on its start within this many pixels.
 constexpr int closingDistance = 2;
-// Chains start in every second row: whatever bends enough to be a piece of an ellipse crosses some of them, and the
-// search for starts is half as long.
-constexpr int rowsApart = 2;
-// Marks of EdgeChains::visited.
-constexpr std::uint8_t walked = 1;
-constexpr std::uint8_t beside = 2;
+// Bits of EdgeChains::visited.
+constexpr std::uint8_t noStart = 1; // no chain starts here any more: one has passed here or beside
+constexpr std::uint8_t walked = 2;  // one has passed here
+// How far ahead of a walk, steps, memory is asked for: each row of a large image is on another page, and what is not in
+// the nearest caches takes as long as five to ten steps.
+constexpr std::ptrdiff_t stepsToPrefetch = 8;
 
-// Octant of a direction: 0 for +x, 2 for +y, and so on. By a table: edges turn all the time, and a branch that the
-// processor cannot foresee takes longer than the rest of a step.
-int octant(int x, int y)
+// Asks for memory that will be needed soon. It may be anywhere, outside of the image too.
+void prefetch(const void *place)
 {
-  static constexpr std::uint8_t octants[2][2][3] = {{{4, 5, 6}, {4, 3, 2}}, {{0, 7, 6}, {0, 1, 2}}};
-  const int ax = std::abs(x);
-  const int ay = std::abs(y);
-  // Nearer to the x axis than 22.5 degrees (tangent 0.414), between, nearer to the y axis.
-  const int kind = 1 - (5 * ay < 2 * ax ? 1 : 0) + (5 * ax < 2 * ay ? 1 : 0);
-  return octants[x > 0 ? 1 : 0][y > 0 ? 1 : 0][kind];
+#if defined(__GNUC__)
+  __builtin_prefetch(place);
+#else
+  static_cast<void>(place);
+#endif
 }
 
-// A walk that ran into one of its own pixels has gone round a loop: index of the loop's first pixel, or the size.
-std::size_t loopStart(const std::vector<EdgePixel> &pixels, std::size_t begin, const std::optional<EdgePixel> &hit)
+// Sectors of the direction of an edge: of each quadrant three, nearer than 22.5 degrees to the one axis, between, or
+// nearer to the other.
+constexpr int kinds = 3;
+constexpr int sectors = 4 * kinds;
+
+// Sector of the direction of an edge whose gradient is given. Without a branch: edges turn all the time, and a branch
+// that the processor cannot foresee takes longer than the rest of a step.
+int sectorAlong(const GradientVector &gradient)
 {
-  if (hit) {
-    for (std::size_t i = begin; i < pixels.size(); ++i) {
-      if (pixels[i].x == hit->x && pixels[i].y == hit->y) {
-        return i;
-      }
-    }
-  }
-  return pixels.size();
+  const int ax = std::abs(static_cast<int>(gradient.dx));
+  const int ay = std::abs(static_cast<int>(gradient.dy));
+  const int kind = 1 - static_cast<int>(5 * ay < 2 * ax) + static_cast<int>(5 * ax < 2 * ay); // tangent 0.414
+  return kind + kinds * (static_cast<int>(gradient.dx > 0) + 2 * static_cast<int>(gradient.dy > 0));
 }
 
-bool endsMeet(const std::vector<EdgePixel> &pixels, std::size_t begin, std::size_t end)
+// The octant that a sector of sectorAlong() is a piece of: 0 for +x, 2 for +y, and so on.
+int octantOf(int sector)
 {
-  const EdgePixel first = pixels[begin];
-  const EdgePixel last = pixels[end - 1];
-  return std::abs(first.x - last.x) <= closingDistance && std::abs(first.y - last.y) <= closingDistance;
+  // The gradient turned by a quarter: with v down, (-gy, gx) has it on the left.
+  static constexpr int octants[2][2][kinds] = {{{6, 7, 0}, {2, 1, 0}}, {{6, 5, 4}, {2, 3, 4}}};
+  return octants[sector / (2 * kinds)][sector / kinds % 2][sector % kinds];
 }
 
-// Tells of each component of a row's gradients whether it is large enough that the pixel could start a chain: one of
-// the two is at least the magnitude divided by sqrt(2). Without a branch, for vector instructions.
-void markStrong(const GradientVector *row, std::size_t width, short least, std::uint8_t *strong)
+int dotOf(const GradientVector &p, const GradientVector &q)
 {
-  static_assert(sizeof(GradientVector) == 2 * sizeof(short), "read as a row of components");
-  const short *components = &row->dx;
-  for (std::size_t i = 0; i < 2 * width; ++i) {
-    const short size = std::max(components[i], static_cast<short>(-components[i]));
-    strong[i] = size >= least ? 1 : 0;
-  }
+  return p.dx * q.dx + p.dy * q.dy;
 }
 
-bool noneOfEight(const std::uint8_t *bytes)
+// Whether two gradients are of one edge.
+bool areOneEdge(const GradientVector &here, const GradientVector &next)
 {
-  std::uint64_t word;
-  std::memcpy(&word, bytes, sizeof(word));
-  return word == 0;
+  const std::int64_t dot = dotOf(here, next);
+  return dot > 0 && dot * dot * leastSquaredCosineInverse > static_cast<std::int64_t>(here.squared()) * next.squared();
 }
 
 class Linker
 {
 public:
   Linker(const Gradient &gradient, EdgeChains &result)
-      : m_gradient(gradient), m_result(result), m_width(gradient.width),
+      : m_gradient(gradient), m_result(result), m_width(gradient.width), m_start(gradient.startAt * gradient.startAt),
         m_least(std::max(gradient.continueAbove * gradient.continueAbove, 1))
   {
-    for (std::size_t i = 0; i < m_steps.size(); ++i) {
-      m_steps[i] = static_cast<std::ptrdiff_t>(stepY[i]) * m_width + stepX[i];
+    for (std::size_t i = 0; i < m_ahead.size(); ++i) {
+      const int behind = i < sectors ? 4 : 0;
+      for (int turn = 0; turn < 3; ++turn) {
+        const int neighbour = (octantOf(static_cast<int>(i % sectors)) + behind + turn + 7) % 8;
+        m_ahead[i].places[turn] = static_cast<std::ptrdiff_t>(stepY[neighbour]) * m_width + stepX[neighbour];
+        m_ahead[i].steps[turn] = {static_cast<short>(stepX[neighbour]), static_cast<short>(stepY[neighbour])};
+      }
     }
+    m_result.pixels.resize(m_result.pixels.capacity()); // room to write into, not to append to
   }
 
-  // Walks from (x, y), excluded, along the edge; forward has the bright side on the left. Returns the pixel of an
-  // earlier walk, or of its own, that it ran into.
-  std::optional<EdgePixel> walk(int x, int y, bool forward, std::vector<EdgePixel> &out, const Deadline &deadline)
-  {
-    constexpr std::size_t stepsAtOnce = 4096; // between two looks at the clock: some 0.1 ms
-    const GradientVector *here = m_gradient.vectors.data() + m_gradient.index(x, y);
-    while (true) {
-      // The gradient (to the bright side) turned by a quarter: with v down, (-gy, gx) has it on the left.
-      const int ahead = octant(-here->dy, here->dx) + (forward ? 0 : 4);
-      const std::int64_t squared = here->squared();
-      // The strongest of three, as a number with its turn in the last two bits, the first of equals; -1 if there is
-      // none. Without a branch: which it is cannot be foreseen. No step leaves the image: along its border the gradient
-      // is zero.
-      std::int64_t strongest = -1;
-      for (int turn = 0; turn < 3; ++turn) {
-        const GradientVector next = here[m_steps[(ahead + turn + 7) & 7]];
-        const std::int64_t magnitude = next.squared();
-        const std::int64_t dot = here->dx * next.dx + here->dy * next.dy;
-        const int fits = static_cast<int>(magnitude >= m_least) & static_cast<int>(dot > 0) &
-                         static_cast<int>(dot * dot * leastSquaredCosineInverse > squared * magnitude);
-        strongest = std::max(strongest, (4 * magnitude + (2 - turn)) | static_cast<std::int64_t>(fits - 1));
-      }
-      if (strongest < 0) {
-        return std::nullopt;
-      }
-      const auto best = static_cast<std::size_t>((ahead + 2 - (strongest & 3) + 7) & 7);
-      here += m_steps[best];
-      x += stepX[best];
-      y += stepY[best];
-      const auto place = static_cast<std::size_t>(here - m_gradient.vectors.data());
-      const EdgePixel pixel = {static_cast<short>(x), static_cast<short>(y)};
-      if (m_result.visited[place] == walked) {
-        return pixel;
-      }
-      m_result.visited[place] = walked;
-      markBeside(place);
-      out.push_back(pixel);
-      if (out.size() % stepsAtOnce == 0 && deadline.hasPassed()) {
-        return std::nullopt;
-      }
-    }
-  }
+  ~Linker() { m_result.pixels.resize(m_count); }
+
+  Linker(const Linker &) = delete;
+  Linker &operator=(const Linker &) = delete;
 
   // Links the edge through a pixel, in both directions, and keeps the chains that are long enough.
   void linkThrough(int x, int y, std::size_t shortest, const Deadline &deadline)
   {
+    const std::size_t place = m_gradient.index(x, y);
+    m_result.visited[place] |= walked | noStart;
+    markBeside(m_gradient.vectors.data() + place, m_result.visited.data() + place);
+    const std::size_t begin = m_count;
+    append({static_cast<short>(x), static_cast<short>(y)});
+    const std::size_t loopBehind = loopStart(begin, walk(x, y, false, deadline));
     std::vector<EdgePixel> &pixels = m_result.pixels;
-    m_result.visited[m_gradient.index(x, y)] = walked;
-    markBeside(m_gradient.index(x, y));
-    const std::size_t begin = pixels.size();
-    pixels.push_back({static_cast<short>(x), static_cast<short>(y)});
-    const std::size_t loopBehind = loopStart(pixels, begin, walk(x, y, false, pixels, deadline));
-    std::reverse(pixels.begin() + static_cast<std::ptrdiff_t>(begin), pixels.end());
+    std::reverse(pixels.begin() + static_cast<std::ptrdiff_t>(begin),
+                 pixels.begin() + static_cast<std::ptrdiff_t>(m_count));
     // The reversed walk begins with its loop, if it ran into itself, and ends with the pixel it started from.
-    const std::size_t tail = begin + (pixels.size() - loopBehind);
-    const std::size_t loopAhead = loopStart(pixels, tail, walk(x, y, true, pixels, deadline));
+    const std::size_t tail = begin + (m_count - loopBehind);
+    const std::size_t loopAhead = loopStart(tail, walk(x, y, true, deadline));
     const auto keep = [&](std::size_t from, std::size_t to, bool closed) {
       if (to >= from + shortest) {
-        m_result.chains.push_back({from, to, closed || endsMeet(pixels, from, to)});
+        m_result.chains.push_back({from, to, closed || endsMeet(from, to)});
       }
     };
     const std::size_t count = m_result.chains.size();
     keep(begin, tail, true);
     keep(tail, loopAhead, false);
-    keep(loopAhead, pixels.size(), true);
+    keep(loopAhead, m_count, true);
     if (m_result.chains.size() == count) {
-      pixels.resize(begin);
+      m_count = begin;
     }
   }
 
-  // Whether the gradient has a local maximum at (x, y) across the edge.
-  bool isRidge(int x, int y) const
+  // Whether a chain may start at an index: the gradient is strong enough and has a local maximum there across the edge.
+  bool isStart(std::size_t place) const
   {
-    const GradientVector vector = m_gradient.at(x, y);
-    const int here = vector.squared();
-    if (std::abs(vector.dx) >= std::abs(vector.dy)) {
-      return here >= m_gradient.squaredMagnitude(x - 1, y) && here > m_gradient.squaredMagnitude(x + 1, y);
-    }
-    return here >= m_gradient.squaredMagnitude(x, y - 1) && here > m_gradient.squaredMagnitude(x, y + 1);
+    const GradientVector *const vector = m_gradient.vectors.data() + place;
+    const std::ptrdiff_t across = acrossOf(*vector);
+    const int here = vector->squared();
+    return (static_cast<int>(here >= m_start) & static_cast<int>(here >= vector[-across].squared()) &
+            static_cast<int>(here > vector[across].squared())) != 0;
   }
 
-  // No other chain starts on the two pixels beside an edge pixel, across the edge.
-  void markBeside(std::size_t place)
+private:
+  /*! The three neighbours ahead of a pixel, from the left to the right. */
+  struct Ahead
   {
-    const GradientVector here = m_gradient.vectors[place];
-    const auto across = static_cast<std::ptrdiff_t>(std::abs(here.dx) >= std::abs(here.dy) ? 1 : m_width);
-    for (const std::ptrdiff_t step : {-across, across}) {
-      const auto other = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(place) + step);
-      const GradientVector there = m_gradient.vectors[other];
-      std::uint8_t &mark = m_result.visited[other];
-      if (mark == 0 && there.dx * here.dx + there.dy * here.dy > 0) {
-        mark = beside;
+    std::array<std::ptrdiff_t, 3> places; // indices of the neighbours, from that of the pixel
+    std::array<EdgePixel, 3> steps;       // to the neighbours
+  };
+
+  void append(const EdgePixel &pixel)
+  {
+    if (m_count == m_result.pixels.size()) {
+      constexpr std::size_t atFirst = 4096; // pixels: a few ordinary edges
+      m_result.pixels.resize(std::max(atFirst, 2 * m_count));
+    }
+    m_result.pixels[m_count++] = pixel;
+  }
+
+  // Walks from (x, y), excluded, along the edge; forward has the bright side on the left. Returns the pixel of an
+  // earlier walk, or of its own, that it ran into.
+  std::optional<EdgePixel> walk(int x, int y, bool forward, const Deadline &deadline)
+  {
+    constexpr std::size_t stepsAtOnce = 4096; // between two looks at the clock: some 0.1 ms
+    const GradientVector *here = m_gradient.vectors.data() + m_gradient.index(x, y);
+    std::uint8_t *visited = m_result.visited.data() + m_gradient.index(x, y);
+    const Ahead *const aheads = m_ahead.data() + (forward ? sectors : 0);
+    GradientVector vector = *here;
+    while (true) {
+      const Ahead &ahead = aheads[sectorAlong(vector)];
+      prefetch(here + stepsToPrefetch * ahead.places[1]);
+      prefetch(visited + stepsToPrefetch * ahead.places[1]);
+      const int turn = strongestOf(here, ahead, vector);
+      if (turn < 0) {
+        return std::nullopt;
+      }
+      here += ahead.places[turn];
+      visited += ahead.places[turn];
+      x += ahead.steps[turn].x;
+      y += ahead.steps[turn].y;
+      const EdgePixel pixel = {static_cast<short>(x), static_cast<short>(y)};
+      if ((*visited & walked) != 0) {
+        return pixel;
+      }
+      *visited = walked | noStart;
+      markBeside(here, visited);
+      append(pixel);
+      if (m_count % stepsAtOnce == 0 && deadline.hasPassed()) {
+        return std::nullopt;
       }
     }
   }
 
-private:
+  // Of three neighbours of a pixel the one with the strongest gradient that is of the same edge, the first of equals;
+  // -1 if there is none. Takes the pixel's gradient and gives the neighbour's. No step leaves the image: along its
+  // border the gradient is zero.
+  int strongestOf(const GradientVector *here, const Ahead &ahead, GradientVector &vector) const
+  {
+    // Without a branch: which it is cannot be foreseen.
+    const GradientVector left = here[ahead.places[0]];
+    const GradientVector straight = here[ahead.places[1]];
+    const GradientVector right = here[ahead.places[2]];
+    const int ofLeft = left.squared();
+    const int ofStraight = straight.squared();
+    const int ofRight = right.squared();
+    int turn = ofLeft >= ofStraight ? 0 : 1;
+    int most = std::max(ofLeft, ofStraight);
+    GradientVector next = ofLeft >= ofStraight ? left : straight;
+    turn = most >= ofRight ? turn : 2;
+    next = most >= ofRight ? next : right;
+    most = std::max(most, ofRight);
+    if (most >= m_least && areOneEdge(vector, next)) {
+      vector = next;
+      return turn; // nearly always
+    }
+    const GradientVector before = vector;
+    turn = -1;
+    most = m_least - 1;
+    for (int other = 0; other < 3; ++other) {
+      next = here[ahead.places[other]];
+      if (next.squared() > most && areOneEdge(before, next)) {
+        most = next.squared();
+        vector = next;
+        turn = other;
+      }
+    }
+    return turn;
+  }
+
+  // No other chain starts on the two pixels beside an edge pixel, across the edge.
+  void markBeside(const GradientVector *here, std::uint8_t *visited) const
+  {
+    static_assert(noStart == 1, "set by a comparison");
+    const GradientVector vector = *here;
+    const std::ptrdiff_t across = acrossOf(vector);
+    visited[-across] |= static_cast<std::uint8_t>(dotOf(here[-across], vector) > 0);
+    visited[across] |= static_cast<std::uint8_t>(dotOf(here[across], vector) > 0);
+  }
+
+  // From a pixel to its neighbour along the image axis that crosses the edge more squarely. Without a branch.
+  std::ptrdiff_t acrossOf(const GradientVector &vector) const
+  {
+    const int ax = std::abs(static_cast<int>(vector.dx));
+    const int ay = std::abs(static_cast<int>(vector.dy));
+    return 1 + static_cast<std::ptrdiff_t>(ax < ay) * (m_width - 1);
+  }
+
+  // A walk that ran into one of its own pixels has gone round a loop: index of the loop's first pixel, or the end.
+  std::size_t loopStart(std::size_t begin, const std::optional<EdgePixel> &hit) const
+  {
+    if (hit) {
+      for (std::size_t i = begin; i < m_count; ++i) {
+        if (m_result.pixels[i].x == hit->x && m_result.pixels[i].y == hit->y) {
+          return i;
+        }
+      }
+    }
+    return m_count;
+  }
+
+  bool endsMeet(std::size_t begin, std::size_t end) const
+  {
+    const EdgePixel first = m_result.pixels[begin];
+    const EdgePixel last = m_result.pixels[end - 1];
+    return std::abs(first.x - last.x) <= closingDistance && std::abs(first.y - last.y) <= closingDistance;
+  }
+
   const Gradient &m_gradient;
   EdgeChains &m_result;
   int m_width;
-  int m_least;
-  std::array<std::ptrdiff_t, 8> m_steps; // from a pixel to its neighbours, in the order of their angle
+  int m_start;                            // squared magnitude of a pixel that starts a chain
+  int m_least;                            // squared magnitude of a pixel that prolongs a chain
+  std::size_t m_count = 0;                // pixels of all chains so far
+  std::array<Ahead, 2 * sectors> m_ahead; // by the sector of an edge, backward and forward
 };
+
+// Pixels whose bytes fill a word.
+constexpr int pixelsAtOnce = 8;
+
+// Whether a chain may start at one of so many pixels.
+bool mayStart(const std::uint8_t *strong, const std::uint8_t *visited)
+{
+  std::uint64_t strongWord;
+  std::uint64_t visitedWord;
+  std::memcpy(&strongWord, strong, sizeof(strongWord));
+  std::memcpy(&visitedWord, visited, sizeof(visitedWord));
+  return (strongWord & ~visitedWord) != 0;
+}
 } // namespace
 
 void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &result, const Deadline &deadline)
 {
-  const auto width = static_cast<std::size_t>(gradient.width);
-  result.pixels.clear();
   result.chains.clear();
   result.visited.assign(gradient.vectors.size(), 0);
-  constexpr std::size_t atOnce = 4; // pixels whose two bytes fill a word
-  result.strong.assign((width + atOnce - 1) / atOnce * atOnce * 2, 0);
   Linker linker(gradient, result);
-  const int start = gradient.startAt * gradient.startAt;
-  const auto leastComponent = static_cast<short>(std::min(gradient.startAt * M_SQRT1_2, 32767.));
-  for (int y = 1; y < gradient.height - 1 && !deadline.hasPassed(); y += rowsApart) {
-    markStrong(gradient.vectors.data() + gradient.index(0, y), width, leastComponent, result.strong.data());
-    for (std::size_t first = 0; first < width; first += atOnce) {
-      if (noneOfEight(result.strong.data() + 2 * first)) {
+  for (int y = firstStartRow; y < gradient.height - 1 && !deadline.hasPassed(); y += rowsBetweenStarts) {
+    const std::uint8_t *strong = gradient.strong.data() + gradient.strongIndex(y);
+    const std::size_t row = gradient.index(0, y);
+    const std::uint8_t *visited = result.visited.data() + row;
+    for (int first = 0; first < gradient.width; first += pixelsAtOnce) {
+      const int count = std::min(pixelsAtOnce, gradient.width - first);
+      if (count == pixelsAtOnce && !mayStart(strong + first, visited + first)) {
         continue;
       }
-      for (std::size_t i = first; i < std::min(first + atOnce, width); ++i) {
-        const int x = static_cast<int>(i);
-        const std::size_t place = gradient.index(x, y);
-        if (result.visited[place] == 0 && gradient.vectors[place].squared() >= start && linker.isRidge(x, y)) {
+      // Those that may, without a branch; then those that do, which are few.
+      std::array<int, pixelsAtOnce> starts;
+      std::size_t found = 0;
+      for (int x = first; x < first + count; ++x) {
+        starts[found] = x;
+        found += static_cast<std::size_t>(strong[x] & ~visited[x] & 1);
+      }
+      for (std::size_t i = 0; i < found; ++i) {
+        const int x = starts[i];
+        if (linker.isStart(row + static_cast<std::size_t>(x)) && visited[x] == 0) {
           linker.linkThrough(x, y, shortest, deadline);
         }
       }

@@ -49,7 +49,6 @@ struct EdgeChains
   std::vector<EdgePixel> pixels;
   std::vector<EdgeChain> chains;
   std::vector<std::uint8_t> visited; //!< One per image pixel: 0, or how a chain has passed there.
-  std::vector<std::uint8_t> strong;  //!< Two per pixel of a row: whether dx or dy could start a chain.
 };
 
 /*!

@@ -19,6 +19,7 @@
 #define VP_CIRCLE_MARKER_GRADIENT_H
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
@@ -28,6 +29,13 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*!
+  Edge chains start in every second row, from the second on: whatever bends enough to be a piece of an ellipse crosses
+  some of them, and the search for starts is half as long.
+*/
+constexpr int rowsBetweenStarts = 2;
+constexpr int firstStartRow = 1;
+
 /*! Gradient at a pixel. */
 struct GradientVector
 {
@@ -46,13 +54,21 @@ struct Gradient
   int width = 0;                       //!< Pixels.
   int height = 0;                      //!< Pixels.
   std::vector<GradientVector> vectors; //!< Row by row.
-  double noise = 0.;                   //!< Standard deviation of the image noise, grey levels.
-  int startAt = 0;                     //!< An edge chain starts at a pixel whose gradient magnitude is at least this.
-  int continueAbove = 0;               //!< An edge chain goes on over pixels whose gradient magnitude is at least this.
+  std::vector<std::uint8_t>
+      strong;            //!< Of the rows where chains start: 1 where dx or dy may start a chain, otherwise 0.
+  double noise = 0.;     //!< Standard deviation of the image noise, grey levels.
+  int startAt = 0;       //!< An edge chain starts at a pixel whose gradient magnitude is at least this.
+  int continueAbove = 0; //!< An edge chain goes on over pixels whose gradient magnitude is at least this.
 
   std::size_t index(int x, int y) const
   {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+  }
+
+  /*! Where Gradient::strong has a row in which chains start. */
+  std::size_t strongIndex(int y) const
+  {
+    return static_cast<std::size_t>(y / rowsBetweenStarts) * static_cast<std::size_t>(width);
   }
 
   const GradientVector &at(int x, int y) const { return vectors[index(x, y)]; }
