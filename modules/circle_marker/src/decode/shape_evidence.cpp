@@ -39,7 +39,8 @@ constexpr double leastShare = 0.96;
 constexpr double leastStep = 0.5;
 // Blurs of an interpolated sample that are tried, pixels: as for the code track and more. With less, steps are larger
 // than expected, which harms nothing; and on a thin ring little blur of grey ink looks like much of black.
-constexpr std::array<double, 3> blurs = {{0.85, 1.1, 1.4}};
+constexpr double usualBlur = 0.85;
+constexpr std::array<double, 3> blurs = {{usualBlur, 1.1, 1.4}};
 // How far beyond the quiet zone its surround is looked at, pixels: most of the blur is over.
 constexpr double lookBeyond = 1.5;
 // Where less than twice this share of the contrast is to be expected of the outer step, its absence does not tell:
@@ -77,11 +78,51 @@ struct Circle
   Greys greys;
 };
 
+// Pixels for a unit of the radius across the marker's outline at a direction from its centre. Along that direction they
+// are more where the image is an elongated ellipse: the way out crosses its edge at a slant, and the blur does not.
+double pixelsPerUnit(const CameraModel &camera, const MarkerPlane &plane, std::size_t direction)
+{
+  constexpr double step = 0.1; // of the radius, to either side: a secant short enough to be a tangent
+  const double angle = 2. * M_PI * static_cast<double>(direction) / directions;
+  const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
+  const Eigen::Vector2d along(-out.y(), out.x());
+  const auto secant = [&](const Eigen::Vector2d &way) {
+    return Eigen::Vector2d(camera.toPixel(plane.project(out + step * way)) -
+                           camera.toPixel(plane.project(out - step * way)));
+  };
+  const Eigen::Vector2d radial = secant(out);
+  const Eigen::Vector2d tangent = secant(along).normalized();
+  return std::abs(radial.x() * tangent.y() - radial.y() * tangent.x()) / (2. * step);
+}
+
+/*! The outline of a marker, direction by direction. */
+struct Outline
+{
+  Greys pixelsPerUnit; // see above
+  Greys radius;        // of the true outline, in units of the radius of the one that was found
+};
+
+// Both edges of a thin ring are found farther apart than they are: the gradient of a dark line of width w has its
+// extremes at sigma from its middle if w is nothing, at w / 2 if it is much; the fourth powers' sum is within 4 % of
+// what is between.
+Outline outlineOf(const CameraModel &camera, const MarkerPlane &plane, double ringInner)
+{
+  Outline outline;
+  for (std::size_t i = 0; i < directions; ++i) {
+    outline.pixelsPerUnit[i] = pixelsPerUnit(camera, plane, i);
+    const double half = 0.5 * (1. - ringInner) * outline.pixelsPerUnit[i];
+    const double found = std::pow(std::pow(half, 4.) + std::pow(usualBlur, 4.), 0.25);
+    outline.radius[i] = ringInner > 0. ? 1. - (found - half) / outline.pixelsPerUnit[i] : 1.;
+  }
+  return outline;
+}
+
 // False if it reaches out of the image.
-bool sampleCircle(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane, Circle &circle)
+bool sampleCircle(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                  const Outline &outline, Circle &circle)
 {
   for (std::size_t i = 0; i < directions; ++i) {
-    const auto grey = bilinear(I, camera.toPixel(plane.project(onCircle(circle.radius, i))));
+    const auto grey = bilinear(I, camera.toPixel(plane.project(onCircle(outline.radius[i] * circle.radius, i))));
     if (!grey) {
       return false;
     }
@@ -142,43 +183,17 @@ Eigen::Vector2d slopeOfLight(const Circle &paper)
   return slope / std::max(mean, 1.);
 }
 
-// Pixels for a unit of the radius across the marker's outline at a direction from its centre. Along that direction they
-// are more where the image is an elongated ellipse: the way out crosses its edge at a slant, and the blur does not.
-double pixelsPerUnit(const CameraModel &camera, const MarkerPlane &plane, std::size_t direction)
+// Beyond the quiet zone. What is out of the image is taken for as dark as the ink.
+Circle lookAround(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                  const Outline &outline, double quietZone, const Circle &dark)
 {
-  constexpr double step = 0.1; // of the radius, to either side: a secant short enough to be a tangent
-  const double angle = 2. * M_PI * static_cast<double>(direction) / directions;
-  const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
-  const Eigen::Vector2d along(-out.y(), out.x());
-  const auto secant = [&](const Eigen::Vector2d &way) {
-    return Eigen::Vector2d(camera.toPixel(plane.project(out + step * way)) -
-                           camera.toPixel(plane.project(out - step * way)));
-  };
-  const Eigen::Vector2d radial = secant(out);
-  const Eigen::Vector2d tangent = secant(along).normalized();
-  return std::abs(radial.x() * tangent.y() - radial.y() * tangent.x()) / (2. * step);
-}
-
-/*! What lies around a marker, direction by direction. */
-struct Around
-{
-  Circle surround;     //!< Grey levels beyond the quiet zone.
-  Greys pixelsPerUnit; //!< See above.
-};
-
-// A surround that is out of the image is taken for as dark as the ink.
-Around lookAround(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                  const vpCircleMarkerLayout &layout, const Circle &dark)
-{
-  Around around;
-  around.surround.radius = 1. + layout.quietZone;
+  Circle surround = {1. + quietZone, {}};
   for (std::size_t i = 0; i < directions; ++i) {
-    around.pixelsPerUnit[i] = pixelsPerUnit(camera, plane, i);
-    const double radius = around.surround.radius + lookBeyond / around.pixelsPerUnit[i];
+    const double radius = outline.radius[i] * surround.radius + lookBeyond / outline.pixelsPerUnit[i];
     const auto grey = bilinear(I, camera.toPixel(plane.project(onCircle(radius, i))));
-    around.surround.greys[i] = grey ? *grey : dark.greys[i];
+    surround.greys[i] = grey ? *grey : dark.greys[i];
   }
-  return around;
+  return surround;
 }
 
 /*! The print that explains the greys of all directions best. */
@@ -189,15 +204,16 @@ struct Print
   double paper, ink;
 
   // Grey level at a radius and direction.
-  double at(double radius, std::size_t i, const Around &around) const
+  double at(double radius, std::size_t i, const Outline &outline, const Circle &surround) const
   {
-    const Shares shares = profile.at(radius, blur / around.pixelsPerUnit[i]);
-    return shares.paper * paper + shares.ink * ink + shares.surround * around.surround.greys[i];
+    const Shares shares = profile.at(radius, blur / outline.pixelsPerUnit[i]);
+    return shares.paper * paper + shares.ink * ink + shares.surround * surround.greys[i];
   }
 };
 
 // For each blur, paper and ink by linear least squares.
-Print fitPrint(const Profile &profile, const std::array<const Circle *, 3> &circles, const Around &around)
+Print fitPrint(const Profile &profile, const std::array<const Circle *, 3> &circles, const Outline &outline,
+               const Circle &surround)
 {
   Print best = {profile, blurs[0], 0., 0.};
   double least = HUGE_VAL;
@@ -207,9 +223,9 @@ Print fitPrint(const Profile &profile, const std::array<const Circle *, 3> &circ
     double squares = 0.;
     for (const Circle *circle : circles) {
       for (std::size_t i = 0; i < directions; ++i) {
-        const Shares shares = profile.at(circle->radius, blur / around.pixelsPerUnit[i]);
+        const Shares shares = profile.at(circle->radius, blur / outline.pixelsPerUnit[i]);
         const Eigen::Vector2d row(shares.paper, shares.ink);
-        const double grey = circle->greys[i] - shares.surround * around.surround.greys[i];
+        const double grey = circle->greys[i] - shares.surround * surround.greys[i];
         matrix += row * row.transpose();
         right += grey * row;
         squares += grey * grey;
@@ -233,18 +249,19 @@ bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camer
   Circle outside = {1. + whiteOfQuietZone * layout.quietZone, {}};
   Circle dark = {isDisc ? rimOfDisc : 0.5 * (1. + ringInner), {}};
   Circle inside = {isDisc ? insideOfDisc : insideOfRing * ringInner, {}};
-  if (!sampleCircle(I, camera, plane, outside) || !sampleCircle(I, camera, plane, dark) ||
-      !sampleCircle(I, camera, plane, inside)) {
+  const Outline outline = outlineOf(camera, plane, ringInner);
+  if (!sampleCircle(I, camera, plane, outline, outside) || !sampleCircle(I, camera, plane, outline, dark) ||
+      !sampleCircle(I, camera, plane, outline, inside)) {
     return false;
   }
-  Around around = lookAround(I, camera, plane, layout, dark);
+  Circle surround = lookAround(I, camera, plane, outline, layout.quietZone, dark);
   const MarkerLight light(outside.greys.data(), directions, outside.radius, 0.);
   std::array<bool, directions> isAsked;
   isAsked.fill(true);
   if (light.hasShadow() && isShadow(light, dark)) { // all as it would be in the light
     for (std::size_t i = 0; i < directions; ++i) {
-      const double edge = edgeOfShadow / around.pixelsPerUnit[i];
-      for (Circle *circle : {&outside, &dark, &inside, &around.surround}) {
+      const double edge = edgeOfShadow / outline.pixelsPerUnit[i];
+      for (Circle *circle : {&outside, &dark, &inside, &surround}) {
         const Eigen::Vector2d place = onCircle(circle->radius, i);
         circle->greys[i] *= light.getBright() / std::max(light.at(place), 1.);
         isAsked[i] = isAsked[i] && std::abs(light.distanceToShadow(place)) > edge;
@@ -253,24 +270,24 @@ bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camer
   }
   else {
     const Eigen::Vector2d slope = slopeOfLight(isDisc ? outside : inside);
-    for (Circle *circle : {&outside, &dark, &inside, &around.surround}) {
+    for (Circle *circle : {&outside, &dark, &inside, &surround}) {
       for (std::size_t i = 0; i < directions; ++i) {
         circle->greys[i] /= std::max(1. + slope.dot(onCircle(circle->radius, i)), leastLight);
       }
     }
   }
-  const Print print = fitPrint({ringInner, layout.quietZone}, {{&outside, &dark, &inside}}, around);
+  const Print print = fitPrint({ringInner, layout.quietZone}, {{&outside, &dark, &inside}}, outline, surround);
   const double contrast = print.paper - print.ink;
   if (contrast <= 0.) {
     return false;
   }
   // Of the surround a single look is not much: it is expected to be as dark as the ink at least.
-  for (double &grey : around.surround.greys) {
+  for (double &grey : surround.greys) {
     grey = std::min(grey, print.ink);
   }
   // Whether the step from the second circle to the first one is there.
   const auto shows = [&](const Circle &white, const Circle &black, std::size_t i) {
-    const double expected = print.at(white.radius, i, around) - print.at(black.radius, i, around);
+    const double expected = print.at(white.radius, i, outline, surround) - print.at(black.radius, i, outline, surround);
     return white.greys[i] - black.greys[i] >= std::min(leastStep * expected, expected - stepInDoubt * contrast);
   };
   std::size_t shown = 0;
