@@ -148,7 +148,8 @@ cmake --build "$build" -j"$(nproc)" --target \
 
 pattern=$(IFS='|'; echo "${tests[*]}")
 # install_and_use: ViSP with our modules in a temporary prefix, and a third party's project on it, as test/run.sh has it
-# for the standalone installation. Installing takes ViSP's manual pages and scripts as well.
+# for the standalone installation. Installing takes ViSP's manual pages and scripts as well. ViSP's libraries are installed
+# without the place of each other: a prefix that the system does not search has to be named.
 install_and_use()
 {
   local prefix=$work/prefix consumer=$work/install-consumer
@@ -159,7 +160,7 @@ install_and_use()
   cmake -S "$root/test/install-consumer" -B "$consumer" -DCMAKE_BUILD_TYPE=Release "-DCMAKE_PREFIX_PATH=$prefix" &&
     grep -q "^VISP_DIR:PATH=$prefix/" "$consumer/CMakeCache.txt" &&
     cmake --build "$consumer" &&
-    "$consumer/install-consumer"
+    LD_LIBRARY_PATH=$(dirname "$(find "$prefix" -name libvisp_circle_marker.so | head -n 1)") "$consumer/install-consumer"
 }
 install_and_use || { echo "in-tree.sh: the modules cannot be used from an installed ViSP" >&2; exit 1; }
 
