@@ -27,6 +27,10 @@ namespace {
 // measure() looks at every pixel, noise and all, the reading at means of many: it may leave this share of the variance
 // more. A model that lacks a motion leaves a tenth and more.
 constexpr double mostOfNoise = 0.02;
+// In noise of a twelfth of the contrast sharp edges look wide. A fit that sees them sharp, pixels, and leaves no more
+// than such noise does, is the better one.
+constexpr double sharp = 2.;
+constexpr double mostOfMuchNoise = 0.06;
 
 FittedPose fittedPose(const Recognition &marker, std::size_t i)
 {
@@ -43,12 +47,18 @@ FittedPose fittedPose(const Recognition &marker, std::size_t i)
   pose.covariance = change * blurred.covariance[i] * change.transpose();
   return pose;
 }
+
+bool isRight(const FittedPose &fit, const BlurredPoses &blurred)
+{
+  const double unexplained = 1. - std::pow(fit.correlation, 2.);
+  return unexplained < blurred.unexplained + mostOfNoise ||
+         (fit.photometry.blur.widest() < sharp && unexplained < mostOfMuchNoise);
+}
 } // namespace
 
 std::optional<Measurement> bestMeasurement(const Recognition &marker, std::optional<Measurement> measured)
 {
-  if (!marker.blurred ||
-      (measured && 1. - std::pow(measured->first.correlation, 2.) < marker.blurred->unexplained + mostOfNoise)) {
+  if (!marker.blurred || (measured && isRight(measured->first, *marker.blurred))) {
     return measured;
   }
   const std::array<double, 2> &cost = marker.blurred->cost;
