@@ -63,8 +63,8 @@ TEST(EdgePoints, StraightEdgesHaveNoBias)
       const double distance = edge.distance(point->position);
       sum += distance;
       squares += distance * distance;
-      worstNormal = std::min(worstNormal, point->normal.dot(edge.normal()));
-      EXPECT_NEAR(point->normal.norm(), 1., 1e-12);
+      worstNormal = std::min(worstNormal, point->normal().dot(edge.normal()));
+      EXPECT_NEAR(point->normal().norm(), 1., 1e-12);
       ++count;
     }
     EXPECT_LT(std::fabs(sum / count), 0.05) << "angle " << edge.angle << " blur " << blur << " offset " << edge.offset;
@@ -191,6 +191,6 @@ TEST(EdgePoints, ThinLineHasBothItsEdges)
   // The two blurred edges push each other apart by a few tenths of a pixel: a property of the image.
   EXPECT_NEAR(left->position.x(), 31.2, 0.4);
   EXPECT_NEAR(right->position.x(), 33.2, 0.4);
-  EXPECT_LT(left->normal.x(), -0.99);
-  EXPECT_GT(right->normal.x(), 0.99);
+  EXPECT_LT(left->normal().x(), -0.99);
+  EXPECT_GT(right->normal().x(), 0.99);
 }

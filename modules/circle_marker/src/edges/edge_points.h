@@ -32,7 +32,10 @@ namespace circle_marker {
 struct EdgePoint
 {
   Eigen::Vector2d position; //!< Pixels; integer coordinates are pixel centres.
-  Eigen::Vector2d normal;   //!< Unit vector across the edge, to the bright side.
+  Eigen::Vector2d across;   //!< Across the edge, to the bright side; of any length, which few ask for.
+
+  /*! Unit vector across the edge, to the bright side. */
+  Eigen::Vector2d normal() const { return across.normalized(); }
 };
 
 /*!

@@ -86,7 +86,7 @@ double rootMeanSquareDistance(const EllipseCandidate &candidate, const EdgePoint
   return std::sqrt(sum / static_cast<double>(count));
 }
 
-// Walks round an ellipse in equal steps of its parameter: point and outward unit normal.
+// Walks round an ellipse in equal steps of its parameter: point and outward normal.
 class EllipseWalk
 {
 public:
@@ -100,7 +100,7 @@ public:
   {
     EdgePoint point;
     point.position = m_ellipse.center + m_ellipse.a * m_at.x() * m_major + m_ellipse.b * m_at.y() * m_minor;
-    point.normal = (m_ellipse.b * m_at.x() * m_major + m_ellipse.a * m_at.y() * m_minor).normalized();
+    point.across = m_ellipse.b * m_at.x() * m_major + m_ellipse.a * m_at.y() * m_minor;
     return point;
   }
 
@@ -129,7 +129,7 @@ void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double
   EllipseWalk walk(ellipse, samples);
   for (int i = 0; i < samples; ++i, walk.next()) {
     const EdgePoint where = walk.here();
-    const auto edge = searchEdge(gradient, where.position, where.normal, reach);
+    const auto edge = searchEdge(gradient, where.position, where.normal(), reach);
     if (edge && std::abs(sampsonDistance(candidate.conic, edge->position)) <= std::max(reach, 1.)) {
       candidate.points.push_back(*edge);
     }
@@ -174,10 +174,11 @@ double medianContrast(const vpImage<unsigned char> &I, const EllipseCandidate &c
   EllipseWalk walk(candidate.ellipse, directions);
   for (int i = 0; i < directions; ++i, walk.next()) {
     const EdgePoint where = walk.here();
+    const Eigen::Vector2d normal = where.normal();
     int brightest = -1;
     int darkest = 256;
     for (int t = -reach; t <= reach; ++t) {
-      const Eigen::Vector2d p = where.position + t * where.normal;
+      const Eigen::Vector2d p = where.position + t * normal;
       if (!(p.x() > -0.5 && p.y() > -0.5 && p.x() < I.getWidth() - 0.5 && p.y() < I.getHeight() - 0.5)) {
         continue;
       }
@@ -215,8 +216,9 @@ Beside besideOutline(const vpImage<unsigned char> &I, const EdgePoint *points, s
   int seen = 0;
   for (std::size_t k = 0; k < samples; ++k) {
     const EdgePoint &point = points[k * count / samples];
-    const auto inside = bilinear(I, point.position - besideEdge * point.normal);
-    const auto outside = bilinear(I, point.position + besideEdge * point.normal);
+    const Eigen::Vector2d beyond = besideEdge * point.normal();
+    const auto inside = bilinear(I, point.position - beyond);
+    const auto outside = bilinear(I, point.position + beyond);
     if (inside && outside) {
       beside.dark += *inside;
       beside.bright += *outside;
@@ -319,7 +321,7 @@ EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const 
   std::size_t asked = 0;
   for (std::size_t i = 0; i < count; i += stride) {
     ++asked;
-    const Eigen::Vector2d outward = -points[i].normal;
+    const Eigen::Vector2d outward = -points[i].normal();
     if (const auto position = firstDarkLine(I, points[i].position, outward, rise)) {
       candidate.points.push_back({*position, outward});
     }
