@@ -28,6 +28,7 @@
 #include "refine/measure.h"
 #include "refine/report.h"
 #include "debug_record.h"
+#include "measure_proven.h"
 
 BEGIN_VISP_NAMESPACE
 
@@ -264,11 +265,15 @@ void vpDetectorCircleMarker::Impl::readWhole(const Visit &visit, const EllipseCa
 
 /*! A marker through the room refine. */
 std::optional<vpDetectorCircleMarker::Impl::Found>
-vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline,
-                                            const Recognition &marker, Bench &bench) const
+vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline, Recognition marker,
+                                            Bench &bench) const
 {
+  const bool isProofWanted =
+      settings.refinePose && !marker.seen && !marker.blurred && wantsProof(outline.ellipse, marker.family);
   const auto measurement =
-      bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring));
+      isProofWanted
+          ? measureProven(visit.I, visit.camera, marker, bench.measuring)
+          : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring));
   if (!measurement) {
     return std::nullopt;
   }

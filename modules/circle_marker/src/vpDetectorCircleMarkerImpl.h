@@ -116,7 +116,7 @@ private:
                  const circle_marker::PosePair &poses, const vpCircleMarkerFamily &family,
                  Examination &examination) const;
   std::optional<Found> measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
-                                     const circle_marker::Recognition &marker, Bench &bench) const;
+                                     circle_marker::Recognition marker, Bench &bench) const;
   void keepSeen(const Outlines &outlines);
   void keepCandidates(const Outlines &outlines);
   void keepSurroundings(const vpImage<unsigned char> &I);

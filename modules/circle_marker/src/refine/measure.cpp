@@ -208,13 +208,6 @@ void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
   }
 }
 
-// Coordinates of the light on a marker.
-ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera)
-{
-  return {camera.toPixel(plane.project(Eigen::Vector2d::Zero())),
-          plane.radius / (plane.center.z() * meterPerPixelAt(plane, camera))};
-}
-
 // Fits on the same pixels, the best first, and its noise.
 struct RankedFits
 {
@@ -276,6 +269,12 @@ bool isRightRing(const RankedFits &ranked)
          std::abs(ranked.fits[0].photometry.blur.growth) < mostGrowth;
 }
 } // namespace
+
+ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera)
+{
+  return {camera.toPixel(plane.project(Eigen::Vector2d::Zero())),
+          plane.radius / (plane.center.z() * meterPerPixelAt(plane, camera))};
+}
 
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
                                    const Recognition &marker, bool refine, MeasureMemory &memory)

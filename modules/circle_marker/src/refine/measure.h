@@ -36,6 +36,9 @@ struct Measurement
   double cost2 = HUGE_VAL;          //!< And of the second.
 };
 
+/*! Coordinates in which measure() tells the light on a marker: those of the first pose that was recognised. */
+ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera);
+
 /*! Working memory of measure(), used again from one marker to the next. A copy has a memory of its own. */
 struct MeasureMemory
 {

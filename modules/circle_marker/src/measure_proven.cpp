@@ -1,0 +1,85 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Measures a marker and reads its code again where it is.
+ */
+
+#include "measure_proven.h"
+
+#include <cmath>
+
+#include "refine/code_likelihood.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Sectors that are longer than this at the track's middle, along the image's shorter axis, pixels, are read one by one
+// without doubt: the blur leaves their middle alone.
+constexpr double longSector = 3.5;
+// Least odds against the next codeword, ln: one in 10^5 is wrong. Right readings have e^25 and more.
+constexpr double leastOdds = 12.;
+// Residuals of the best codeword, in units of what noise and model leave.
+constexpr double mostUnexplained = 1.2;
+// How often another code is measured: the first was read at a pose that the code did not yet help to measure.
+constexpr int mostRounds = 3;
+
+// Sets another code, at the measured poses.
+void setCode(const LikelyCode &code, const Measurement &measurement, Recognition &marker)
+{
+  marker.code.id = code.id;
+  marker.code.spin = code.spin;
+  marker.poses[0] = measurement.first.plane;
+  if (measurement.second) {
+    marker.poses[1] = measurement.second->plane;
+  }
+  for (MarkerPlane &pose : marker.poses) {
+    pose.spin(code.spin);
+  }
+}
+} // namespace
+
+bool wantsProof(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
+{
+  if (!family.isCoded()) {
+    return false;
+  }
+  const vpCircleMarkerLayout &layout = family.getLayout();
+  const double radius = 0.5 * (layout.codeInner + layout.codeOuter) * outline.b;
+  return 2. * M_PI * radius < longSector * family.getNbSectors();
+}
+
+std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                         Recognition &marker, MeasureMemory &memory)
+{
+  for (int round = 0; round < mostRounds; ++round) {
+    const ImageFrame frame = frameOf(marker.poses[0], camera);
+    auto measurement = measure(I, camera, marker, true, memory);
+    if (!measurement) {
+      return std::nullopt;
+    }
+    const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family);
+    if (!code) {
+      return measurement;
+    }
+    const bool isSame = code->id == marker.code.id && std::abs(code->spin) < M_PI / marker.family.getNbSectors();
+    if (isSame) {
+      const bool isProven = code->odds > leastOdds && code->unexplained < mostUnexplained;
+      return isProven ? measurement : std::nullopt;
+    }
+    setCode(*code, *measurement, marker);
+  }
+  return std::nullopt;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

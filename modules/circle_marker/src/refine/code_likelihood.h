@@ -1,0 +1,70 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The likelihood of all codewords at a measured pose.
+ */
+
+/*!
+  \file code_likelihood.h
+  \brief The likelihood of all codewords at a measured pose.
+
+  Once pose, light and blur are measured, the grey level of a pixel of the code track is linear in the colours c_k of
+  the sectors, 1 for black: \f[ I = L (1 - \kappa (D_0 + \sum_k w_k c_k)), \f] with D_0 the black of the ring and w_k
+  the share of the pixel's blurred sight that sector k has. With noise of standard deviation s the squared residuals of
+  a codeword are a quadratic form of its bits, over 2 s^2 its negative log likelihood. Where sectors are as small as the
+  blur each pixel sees several of them, and reading them one by one takes the mixture of two for one; among codewords
+  there is one that mixes to what is seen, and the next one says how sure that is.
+*/
+
+#ifndef VP_CIRCLE_MARKER_CODE_LIKELIHOOD_H
+#define VP_CIRCLE_MARKER_CODE_LIKELIHOOD_H
+
+#include <cmath>
+#include <optional>
+
+#include "refine/fit_pixel.h"
+#include "refine/fitted_pose.h"
+#include "support/camera_model.h"
+
+#include <visp3/circle_marker/vpCircleMarkerFamily.h>
+#include <visp3/core/vpImage.h>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! The codeword that explains a code track best. */
+struct LikelyCode
+{
+  int id = -1;
+  double spin = 0.;        //!< Angle from the plane's x axis to the marker's own, rad, in (-pi, pi].
+  double odds = HUGE_VAL;  //!< Natural logarithm of its odds against the next one.
+  double unexplained = 0.; //!< Root of the mean squared residual, in units of the noise.
+};
+
+/*!
+  Reads the code of a marker whose pose is measured.
+  \param I : The image.
+  \param camera : Its camera.
+  \param fit : Pose, light and blur; the spin may be any.
+  \param frame : Coordinates of the image in which the light was measured.
+  \param family : Family of the marker, with a code.
+  \return Nothing where the model does not hold: under the edge of a shadow, on paper that is brighter than the sensor
+  can tell, at the image's border.
+*/
+std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                         const FittedPose &fit, const ImageFrame &frame,
+                                         const vpCircleMarkerFamily &family);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
