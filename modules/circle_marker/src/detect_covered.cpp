@@ -54,10 +54,12 @@ void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector
   while (k < families.size()) {
     const std::size_t first = k;
     do {
-      attempts.push_back({k++, false});
+      attempts.push_back({k++, ReadingKind::WHOLE});
     } while (k < families.size() && families[first].isCoded() && families[k].isCoded());
-    for (std::size_t coded = first; coded < k && families[coded].isCoded(); ++coded) {
-      attempts.push_back({coded, true});
+    for (const ReadingKind kind : {ReadingKind::UNCERTAIN, ReadingKind::COVERED}) {
+      for (std::size_t coded = first; coded < k && families[coded].isCoded(); ++coded) {
+        attempts.push_back({coded, kind});
+      }
     }
   }
 }

@@ -39,19 +39,26 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
                                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings,
                                                    MeasureMemory &memory);
 
+/*! How an outline is read. */
+enum class ReadingKind
+{
+  WHOLE,     //!< As a marker of which nothing is covered, sector by sector.
+  UNCERTAIN, //!< With sectors so small that the code is proven when the marker is measured.
+  COVERED    //!< With something in front of a part of it.
+};
+
 /*! One of the ways to read an outline. */
 struct Attempt
 {
   std::size_t family; //!< Index of the family.
-  bool isCovered;     //!< Whether something may cover the marker.
+  ReadingKind kind;   //!< How to read it.
 };
 
 /*!
   The ways to read an outline, in the order in which they are tried: family by family; where several with a code follow
-  each other, as whole markers of all of them before as covered ones. What is seen of a covered marker is little enough
-  to be taken for that of another family.
-  \param families : The families that are sought.
-  \param attempts : The result; its memory is used again.
+  each other, as whole markers of all of them, for certain and then not, before as covered ones. What is seen of a
+  covered marker is little enough to be taken for that of another family. \param families : The families that are
+  sought. \param attempts : The result; its memory is used again.
 */
 void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector<Attempt> &attempts);
 } // namespace circle_marker

@@ -27,12 +27,21 @@ namespace {
 // Sectors that are longer than this at the track's middle, along the image's shorter axis, pixels, are read one by one
 // without doubt: the blur leaves their middle alone.
 constexpr double longSector = 3.5;
+// Those shorter than this are often not read for certain.
+constexpr double shortSector = 2.;
 // Least odds against the next codeword, ln: one in 10^5 is wrong. Right readings have e^25 and more.
 constexpr double leastOdds = 12.;
 // Residuals of the best codeword, in units of what noise and model leave.
 constexpr double mostUnexplained = 1.2;
 // How often another code is measured: the first was read at a pose that the code did not yet help to measure.
 constexpr int mostRounds = 3;
+
+// At the track's middle, along the image's shorter axis, pixels.
+double sectorLength(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
+{
+  const vpCircleMarkerLayout &layout = family.getLayout();
+  return M_PI * (layout.codeInner + layout.codeOuter) * outline.b / family.getNbSectors();
+}
 
 // Sets another code, at the measured poses.
 void setCode(const LikelyCode &code, const Measurement &measurement, Recognition &marker)
@@ -51,12 +60,12 @@ void setCode(const LikelyCode &code, const Measurement &measurement, Recognition
 
 bool wantsProof(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
 {
-  if (!family.isCoded()) {
-    return false;
-  }
-  const vpCircleMarkerLayout &layout = family.getLayout();
-  const double radius = 0.5 * (layout.codeInner + layout.codeOuter) * outline.b;
-  return 2. * M_PI * radius < longSector * family.getNbSectors();
+  return family.isCoded() && sectorLength(outline, family) < longSector;
+}
+
+bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
+{
+  return family.isCoded() && sectorLength(outline, family) < shortSector;
 }
 
 std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera,
@@ -70,7 +79,7 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
     }
     const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family);
     if (!code) {
-      return measurement;
+      return marker.isCertain ? measurement : std::nullopt;
     }
     const bool isSame = code->id == marker.code.id && std::abs(code->spin) < M_PI / marker.family.getNbSectors();
     if (isSame) {

@@ -32,6 +32,9 @@ namespace circle_marker {
 */
 bool wantsProof(const EllipseParameters &outline, const vpCircleMarkerFamily &family);
 
+/*! Whether they are too small to be read for certain, though a proof may succeed. */
+bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily &family);
+
 /*!
   Measures a marker whose sectors are small. Of all codewords the one that was read must explain the image best at the
   measured pose, by far; if another one does, that one is measured and must.

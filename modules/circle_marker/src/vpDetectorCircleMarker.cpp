@@ -218,9 +218,14 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   while (poses && !examination.marker && examination.attempt < m_attempts.size()) {
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
-    if (attempt.isCovered) {
-      examination.marker =
-          recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, family, settings.decode, bench.measuring);
+    if (attempt.kind != ReadingKind::WHOLE) {
+      if (attempt.kind == ReadingKind::COVERED) {
+        examination.marker =
+            recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, family, settings.decode, bench.measuring);
+      }
+      else if (settings.refinePose && mayBeUncertain(outline.ellipse, family)) {
+        examination.marker = recogniseUncertain(visit.I, visit.camera, *poses, family);
+      }
       if (examination.marker && keepsDebug) {
         std::vector<vpCircleMarkerCandidate> &candidates = examination.candidates; // it is none as a whole marker only
         candidates.erase(std::remove_if(candidates.begin(), candidates.end(),

@@ -28,6 +28,8 @@ namespace {
 // Black and white sectors differ by this share of the ring's contrast at least: a golay23 track of 20 pixels outer
 // diameter at 45 degrees keeps about a fifth after the blur between sectors is undone.
 constexpr double leastContrast = 0.2;
+// As far as a reading that has to be proven is concerned, by this: less is noise.
+constexpr double leastUncertainContrast = 0.1;
 // The middle between black and white sectors is that between ink and paper, and higher where the surround is black and
 // dims a narrow quiet zone, but within the ring's contrast. Bright spots with a dark rim, whose slope around the spot
 // was taken for sectors, have it outside.
@@ -119,6 +121,34 @@ Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerF
   }
   return result;
 }
+
+std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCircleMarkerFamily &family)
+{
+  if (reading.contrast < leastUncertainContrast || std::abs(reading.middle - 0.5) > mostOffMiddle) {
+    return std::nullopt;
+  }
+  const CyclicCode &code = codeOf(family);
+  const Scores scores(reading.soft, reading.sectors);
+  CyclicCode::Word best = 0;
+  float bestScore = -HUGE_VALF;
+  code.forEachCodeword([&](CyclicCode::Word codeword) {
+    const float score = scores.of(codeword);
+    if (score > bestScore) {
+      bestScore = score;
+      best = codeword;
+    }
+  });
+  const auto identity = code.identify(best);
+  if (!identity) {
+    return std::nullopt;
+  }
+  CodeReading result;
+  result.id = identity->id;
+  result.margin = static_cast<double>(bestScore) / reading.sectors;
+  result.spin = reading.phase + 2. * M_PI * identity->rotation / reading.sectors;
+  return result;
+}
+
 Judged<CodeReading> identifyCovered(const SectorReading &reading, const vpCircleMarkerFamily &family,
                                     const DecodeSettings &settings)
 {

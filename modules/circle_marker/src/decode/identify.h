@@ -18,6 +18,8 @@
 #ifndef VP_CIRCLE_MARKER_IDENTIFY_H
 #define VP_CIRCLE_MARKER_IDENTIFY_H
 
+#include <optional>
+
 #include "decode/sector_reading.h"
 
 BEGIN_VISP_NAMESPACE
@@ -41,6 +43,11 @@ struct CodeReading
 /*! The marker whose code is nearest to a reading, or NO_SECTORS, NO_CODEWORD, or LOW_MARGIN with what was refused. */
 Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerFamily &family,
                              const DecodeSettings &settings);
+/*!
+  The codeword that agrees best with a reading, however little it does; nothing if the track is not made of sectors. All
+  codewords are tried.
+*/
+std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCircleMarkerFamily &family);
 /*!
   The same for a reading of which a part is not seen: the codeword that agrees best with what is, if no other comes near
   it. All codewords are tried.

@@ -201,6 +201,26 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
   return recogniseCode(I, camera, poses, family, settings, trace);
 }
 
+std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                              const PosePair &poses, const vpCircleMarkerFamily &family)
+{
+  std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Judged<SectorReading> sectors = readSectors(I, camera, poses[i], family);
+    const auto closest = sectors ? closestCode(*sectors, family) : std::nullopt;
+    if (closest) {
+      codes[i] = *closest;
+    }
+  }
+  const std::size_t best = isFarther(codes[0], codes[1]) ? 1 : 0;
+  if (!codes[best]) {
+    return std::nullopt;
+  }
+  Recognition result = markerOf(poses, family, codes, best);
+  result.isCertain = false;
+  return result;
+}
+
 std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
                                                 const PosePair &poses, const EllipseCandidate &outline,
                                                 const vpCircleMarkerFamily &family)
@@ -222,7 +242,7 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
     return std::nullopt;
   }
   const double inner = family.getLayout().ringInner;
-  return Recognition{vpCircleMarkerFamily::ring(inner), CodeReading(), inner, poses, most, std::nullopt};
+  return Recognition{vpCircleMarkerFamily::ring(inner), CodeReading(), inner, poses, most, true, std::nullopt};
 }
 
 Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,

@@ -37,6 +37,7 @@ struct Recognition
   double ringInner = 0.8; //!< Inner radius of the ring, in units of the outer radius; 0 for a disc.
   PosePair poses;
   std::optional<SeenParts> seen;       //!< Where something covers a part of it.
+  bool isCertain = true;               //!< Whether the code was read well enough; else it has to be proven.
   std::optional<BlurredPoses> blurred; //!< How well \e poses are known where they were read through a blur.
 };
 
@@ -64,6 +65,13 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
                               const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
                               const DecodeSettings &settings, ReadingTrace *trace = nullptr,
                               const Deadline &deadline = Deadline());
+
+/*!
+  A marker whose code could not be read for certain: with the codeword that agrees best, which has to be proven once it
+  is measured. Nothing if the track is not made of sectors.
+*/
+std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                              const PosePair &poses, const vpCircleMarkerFamily &family);
 
 /*!
   The ring of a marker of a family with a code, of which something covers a part: a plain ring with what is seen of it,
