@@ -17,6 +17,7 @@
 
 #include "measure_proven.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "refine/code_likelihood.h"
@@ -29,10 +30,19 @@ namespace {
 constexpr double longSector = 3.5;
 // Those shorter than this are often not read for certain.
 constexpr double shortSector = 2.;
-// Least odds against the next codeword, ln: one in 10^5 is wrong. Right readings have e^25 and more.
+// Least odds against the next codeword, ln: one in 10^5 is wrong, if the pose is right.
 constexpr double leastOdds = 12.;
 // Residuals of the best codeword, in units of what noise and model leave.
 constexpr double mostUnexplained = 1.2;
+// At a wrong pose, too, one codeword is the best, by up to e^26; but it does not leave the image's noise alone. Of a
+// right one no more is left than this factor, and this share of the contrast for what the model lacks.
+constexpr double oddsAtAnyPose = 30.;
+constexpr double mostNoise = 1.3;
+constexpr double rounding = 0.29; // noise of an image without any, grey levels
+constexpr double mostLacking = 0.006;
+// What is no marker has letters or dots around it that are no ring: true markers correlate by 0.98 even in noise of a
+// twelfth of the contrast, letters by up to 0.95.
+constexpr double leastCorrelation = 0.97;
 // How often another code is measured: the first was read at a pose that the code did not yet help to measure.
 constexpr int mostRounds = 3;
 
@@ -41,6 +51,15 @@ double sectorLength(const EllipseParameters &outline, const vpCircleMarkerFamily
 {
   const vpCircleMarkerLayout &layout = family.getLayout();
   return M_PI * (layout.codeInner + layout.codeOuter) * outline.b / family.getNbSectors();
+}
+
+// Whether a marker's likeliest code is beyond doubt.
+bool isProven(const LikelyCode &code, const FittedPose &fit, double noise, bool isCertain)
+{
+  const double contrast = fit.photometry.light * fit.photometry.contrast;
+  const double most = mostNoise * std::max(noise, rounding) + mostLacking * contrast;
+  return code.odds > leastOdds && code.unexplained < mostUnexplained &&
+         (code.odds > oddsAtAnyPose || fit.noise < most) && (isCertain || fit.correlation > leastCorrelation);
 }
 
 // Sets another code, at the measured poses.
@@ -68,7 +87,7 @@ bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily
   return family.isCoded() && sectorLength(outline, family) < shortSector;
 }
 
-std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera,
+std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
                                          Recognition &marker, MeasureMemory &memory)
 {
   for (int round = 0; round < mostRounds; ++round) {
@@ -83,10 +102,10 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
     }
     const bool isSame = code->id == marker.code.id && std::abs(code->spin) < M_PI / marker.family.getNbSectors();
     if (isSame) {
-      const bool isProven = code->odds > leastOdds && code->unexplained < mostUnexplained;
-      return isProven ? measurement : std::nullopt;
+      return isProven(*code, measurement->first, noise, marker.isCertain) ? measurement : std::nullopt;
     }
     setCode(*code, *measurement, marker);
+    marker.isCertain = false;
   }
   return std::nullopt;
 }

@@ -40,11 +40,12 @@ bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily
   measured pose, by far; if another one does, that one is measured and must.
   \param I : The image.
   \param camera : Its camera.
+  \param noise : Standard deviation of the image's noise, grey levels.
   \param marker : The marker; its code may be another one afterwards.
   \param memory : Working memory.
   \return Nothing if no codeword explains the image, or two of them do.
 */
-std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera,
+std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
                                          Recognition &marker, MeasureMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -277,7 +277,7 @@ vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCan
       settings.refinePose && !marker.seen && !marker.blurred && wantsProof(outline.ellipse, marker.family);
   const auto measurement =
       isProofWanted
-          ? measureProven(visit.I, visit.camera, marker, bench.measuring)
+          ? measureProven(visit.I, visit.camera, m_outlines.full.gradient.noise, marker, bench.measuring)
           : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring));
   if (!measurement) {
     return std::nullopt;
