@@ -95,15 +95,22 @@ void vpDetectorCircleMarker::Impl::detectBlack(const vpImage<unsigned char> &I, 
   if (!searchRegions(visit)) {
     searchWhole(visit);
   }
-  found.clear();
-  detections.clear();
+  // Assigned, not made anew: ViSP's matrices then keep their memory.
+  std::size_t count = 0;
   for (Examination &examination : m_examinations) {
     if (examination.found) {
-      detections.push_back(examination.found->detection);
-      found.push_back(std::move(*examination.found));
+      if (count == found.size()) {
+        found.emplace_back();
+        detections.emplace_back();
+      }
+      detections[count] = examination.found->detection;
+      found[count] = std::move(*examination.found);
       examination.found.reset();
+      ++count;
     }
   }
+  found.resize(count);
+  detections.resize(count);
   keepSurroundings(I);
 }
 
@@ -148,18 +155,12 @@ void vpDetectorCircleMarker::Impl::searchWhole(const Visit &visit)
 void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines &outlines)
 {
   const Deadline &deadline = visit.deadline;
-  const auto readOne = [&](std::size_t i, unsigned int worker) {
-    Examination &examination = m_examinations[i];
-    if (!examination.isRead && !deadline.hasPassed()) {
-      read(visit, outlines[i], m_benches[worker], examination);
-    }
-  };
   m_examinations.assign(outlines.size(), Examination());
   listAttempts(settings.families, m_attempts);
   bool isOver = false;
   while (!isOver) {
     if (m_workers.getCount() > 1) {
-      m_workers.run(outlines.size(), readOne);
+      readTogether(visit, outlines);
     }
     m_chosen.clear();
     m_chosenPlaces.reset(static_cast<int>(visit.I.getWidth()), static_cast<int>(visit.I.getHeight()));
@@ -169,8 +170,8 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
       if (isWaiting && m_chosenPlaces.hold(outlines[i].ellipse)) {
         continue;
       }
-      if (isWaiting) {
-        readOne(i, 0);
+      if (isWaiting && !examination.isRead && !deadline.hasPassed()) {
+        read(visit, outlines[i], m_benches.front(), examination);
       }
       if (examination.marker) {
         m_chosenPlaces.add(outlines[i].ellipse, examination.marker->family.getType() == vpCircleMarkerFamily::DISC);
@@ -204,6 +205,41 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
   }
   if (keepsDebug) {
     keepCandidates(outlines);
+  }
+}
+
+/*!
+  Reads on all threads what one thread would read, one outline after the other: none that is a piece of a marker. What
+  may be a piece of an outline that is not read yet waits for the next round; nests are seldom deeper than the rounds.
+*/
+void vpDetectorCircleMarker::Impl::readTogether(const Visit &visit, const Outlines &outlines)
+{
+  constexpr int rounds = 3;
+  for (int round = 0; round < rounds; ++round) {
+    const bool isLast = round + 1 == rounds;
+    m_chosen.clear();
+    m_chosenPlaces.reset(static_cast<int>(visit.I.getWidth()), static_cast<int>(visit.I.getHeight()));
+    for (std::size_t i = 0; i < outlines.size(); ++i) {
+      const Examination &examination = m_examinations[i];
+      const bool isUnread = !examination.isOver && !examination.isRead;
+      if ((!isUnread && !examination.marker) || (isUnread && m_chosenPlaces.hold(outlines[i].ellipse))) {
+        continue;
+      }
+      if (isUnread) {
+        m_chosen.push_back(i);
+      }
+      if (examination.marker) {
+        m_chosenPlaces.add(outlines[i].ellipse, examination.marker->family.getType() == vpCircleMarkerFamily::DISC);
+      }
+      else if (!isLast) {
+        m_chosenPlaces.add(outlines[i].ellipse, true); // of an unread one nothing is known: all of it
+      }
+    }
+    m_workers.run(m_chosen.size(), [&](std::size_t k, unsigned int worker) {
+      if (!visit.deadline.hasPassed()) {
+        read(visit, outlines[m_chosen[k]], m_benches[worker], m_examinations[m_chosen[k]]);
+      }
+    });
   }
 }
 
@@ -383,25 +419,27 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size
   circle_marker::checkMarkerSize(size);
   checkImageSize(I);
   m_impl->detect(I, size, cam, circle_marker::Deadline(static_cast<double>(m_timeout_ms)));
+  using Detection = vpCircleMarkerDetection;
+  using Matrix = vpHomogeneousMatrix;
+  m_nb_objects = m_impl->detections.size();
+  // Assigned, not made anew, as above.
   const auto fill = [this](auto *output, auto value) {
     if (output == nullptr) {
       return;
     }
-    output->clear();
-    for (const vpCircleMarkerDetection &detection : m_impl->detections) {
-      output->push_back(value(detection));
+    output->resize(m_nb_objects);
+    for (std::size_t i = 0; i < m_nb_objects; ++i) {
+      (*output)[i] = value(m_impl->detections[i]);
     }
   };
-  using Detection = vpCircleMarkerDetection;
-  fill(&cMo_vec, [](const Detection &d) { return d.cMo; });
-  fill(cMo_vec2, [](const Detection &d) { return d.hasSecondPose ? d.cMo2 : d.cMo; });
+  fill(&cMo_vec, [](const Detection &d) -> const Matrix & { return d.cMo; });
+  fill(cMo_vec2, [](const Detection &d) -> const Matrix & { return d.hasSecondPose ? d.cMo2 : d.cMo; });
   fill(projErrors, [](const Detection &d) { return d.cost; });
   fill(projErrors2, [](const Detection &d) { return d.cost2; });
   fill(&m_message, [this](const Detection &d) { return messageOf(d, m_impl->database.find(d.family, d.id)); });
-  m_nb_objects = m_impl->detections.size();
-  m_polygon.clear();
+  m_polygon.resize(m_nb_objects);
   for (std::size_t i = 0; i < m_nb_objects; ++i) {
-    m_polygon.push_back(m_impl->found[i].polygon);
+    m_polygon[i] = m_impl->found[i].polygon;
   }
   if (m_impl->displayTag) {
     displayTags(I, m_impl->displayColor, m_impl->displayThickness);

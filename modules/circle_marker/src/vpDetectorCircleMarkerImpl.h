@@ -110,6 +110,7 @@ private:
   void searchWhole(const Visit &visit);
   void searchRegion(const Visit &visit, const circle_marker::PixelBox &box);
   void examineAll(const Visit &visit, const Outlines &outlines);
+  void readTogether(const Visit &visit, const Outlines &outlines);
   void read(const Visit &visit, const circle_marker::EllipseCandidate &outline, Bench &bench,
             Examination &examination) const;
   void readWhole(const Visit &visit, const circle_marker::EllipseCandidate &outline,
@@ -132,7 +133,7 @@ private:
   std::vector<Bench> m_benches;                   //!< One for each thread.
   std::vector<Examination> m_examinations;        //!< One for each outline.
   std::vector<circle_marker::Attempt> m_attempts; //!< The ways to read an outline.
-  std::vector<std::size_t> m_chosen;              //!< Outlines to be measured together.
+  std::vector<std::size_t> m_chosen;              //!< Outlines to be read or measured together.
   circle_marker::MarkerPlaces m_chosenPlaces;     //!< Where they are.
   std::vector<Impl> m_inverse;                    //!< What looks at the negative, if markers white on black are sought.
   vpImage<unsigned char> m_negative;              //!< The negative.
