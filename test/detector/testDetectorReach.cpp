@@ -21,11 +21,23 @@
 
 using namespace detector_test;
 
-// Their black line and their quiet zone are thinner than a pixel: no outer edge is left of them.
-TEST(DetectorReach, RingsFromAMinorAxisOfEightPixels)
+namespace {
+/*! Markers of a sort, and how many of them are found. */
+struct Sort
+{
+  vpCircleMarkerFamily::vpType family;
+  double leastMinor, mostMinor; //!< Minor axis of the outline, pixels.
+  double mostTilt;              //!< rad
+  double leastGround;           //!< Least and most grey level of what is around their squares.
+  double mostGround;
+  double floor; //!< Share that is found at least.
+};
+
+// Eight images of 24 markers each.
+void expectReach(const Sort &sort)
 {
   Random random = randomOfTest();
-  const vpCircleMarkerFamily family(vpCircleMarkerFamily::RING);
+  const vpCircleMarkerFamily family(sort.family);
   vpDetectorCircleMarker detector(family);
   constexpr int columns = 6;
   constexpr int rows = 4;
@@ -33,13 +45,14 @@ TEST(DetectorReach, RingsFromAMinorAxisOfEightPixels)
   unsigned int found = 0;
   for (int image = 0; image < 8; ++image) {
     vpMarkerSceneSimulator simulator(straightCamera(), width, height);
-    simulator.setBackground(vpSceneBackground::plain(uniform(random, 80., 160.)));
+    simulator.setBackground(vpSceneBackground::plain(uniform(random, sort.leastGround, sort.mostGround)));
     for (int i = 0; i < columns * rows; ++i) {
       const double u = width * (i % columns + 0.5) / columns + uniform(random, -5., 5.);
       const double v = height * (i / columns + 0.5) / rows + uniform(random, -5., 5.);
-      const double tilt = uniform(random, 0., 1.);
-      vpSimulatedMarker marker = printed(family, -1);
-      simulator.addMarker(marker.setPose(randomPose(random, uniform(random, 8., 12.) / std::cos(tilt), tilt, u, v)));
+      const double tilt = uniform(random, 0., sort.mostTilt);
+      const double minor = uniform(random, sort.leastMinor, sort.mostMinor);
+      vpSimulatedMarker marker = printed(family, randomId(random, family));
+      simulator.addMarker(marker.setPose(randomPose(random, minor / std::cos(tilt), tilt, u, v)));
     }
     vpImage<unsigned char> I;
     const auto truth = simulator.render(I, random());
@@ -47,10 +60,43 @@ TEST(DetectorReach, RingsFromAMinorAxisOfEightPixels)
     for (const auto &marker : truth) {
       ++markers;
       for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
-        found += vpImagePoint::distance(detection.center, marker.center) < 1. ? 1 : 0;
+        if (vpImagePoint::distance(detection.center, marker.center) < 1.) {
+          ++found;
+          EXPECT_EQ(marker.id, detection.id) << "image " << image;
+        }
       }
     }
     EXPECT_LE(detector.getNbObjects(), truth.size());
   }
-  EXPECT_GE(found, 0.97 * markers) << "of " << markers;
+  EXPECT_GE(found, sort.floor * markers) << "of " << markers;
+}
+} // namespace
+
+// Their black line and their quiet zone are thinner than a pixel: no outer edge is left of them.
+TEST(DetectorReach, RingsFromAMinorAxisOfEightPixels)
+{
+  expectReach({vpCircleMarkerFamily::RING, 8., 12., 1., 80., 160., 0.97});
+}
+
+// On white ground both edges of the line are found too far apart.
+TEST(DetectorReach, RingsFromAMinorAxisOfEightPixelsOnWhite)
+{
+  expectReach({vpCircleMarkerFamily::RING, 8., 12., 1.3, 220., 220., 0.97});
+}
+
+// A sector is as long as the blur is wide: 1.2 pixels where the ellipse is narrow, or less. None may be read as
+// another.
+TEST(DetectorReach, CodesWhoseSectorsAreAsSmallAsTheBlur)
+{
+  expectReach({vpCircleMarkerFamily::GOLAY23, 9., 12., 1.2, 220., 220., 0.93});
+}
+
+TEST(DetectorReach, LongCodesWhoseSectorsAreAsSmallAsTheBlur)
+{
+  expectReach({vpCircleMarkerFamily::BCH31, 11., 15., 1.2, 220., 220., 0.93});
+}
+
+TEST(DetectorReach, CodesOnGreyGround)
+{
+  expectReach({vpCircleMarkerFamily::GOLAY23, 13., 17., 1.1, 80., 160., 0.97});
 }

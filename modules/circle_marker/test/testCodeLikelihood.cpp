@@ -1,0 +1,125 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Tests of the likelihood of all codewords at a measured pose.
+ */
+
+#include "refine/code_likelihood.h"
+
+#include <gtest/gtest.h>
+
+#include "testRoomTools.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr unsigned int side = 160;
+constexpr double blur = 0.7;
+constexpr double noise = 2.;
+
+// The true pose, light and blur; its x axis is turned away from the marker's.
+FittedPose fitOf(const MarkerScene &scene, double spin)
+{
+  FittedPose fit;
+  fit.plane = scene.plane();
+  fit.plane.spin(-spin);
+  fit.photometry.light = scene.white;
+  fit.photometry.contrast = 1. - scene.black / scene.white;
+  fit.photometry.blur.sigma = std::sqrt(blur * blur + 1. / 12.);
+  fit.noise = noise;
+  return fit;
+}
+
+vpImage<unsigned char> imageOf(const MarkerScene &scene, Random &random)
+{
+  return digitise(expose(side, side, blur, scene), noise, random);
+}
+
+std::optional<LikelyCode> read(const vpImage<unsigned char> &I, const MarkerScene &scene, double spin)
+{
+  return mostLikelyCode(I, CameraModel(scene.camera()), fitOf(scene, spin), scene.frame(), scene.family);
+}
+} // namespace
+
+TEST(CodeLikelihood, SmallCodesAreReadWithTheirSpin)
+{
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31, vpCircleMarkerFamily::BCH31R}) {
+    const vpCircleMarkerFamily family(type);
+    const double pitch = 2. * M_PI / family.getNbSectors();
+    for (int i = 0; i < 20; ++i) {
+      const int id = static_cast<int>(random() % family.getNbIds());
+      const double tilt = uniform(random, 0., 1.);
+      const double minor = uniform(random, 11., 40.);
+      const MarkerScene scene = markerScene(random, family, id, minor / std::cos(tilt), tilt, side);
+      const double spin = uniform(random, -M_PI, M_PI);
+      const auto code = read(imageOf(scene, random), scene, spin);
+      ASSERT_TRUE(code);
+      EXPECT_EQ(code->id, id) << family.getName() << " minor axis " << minor << " tilt " << tilt;
+      EXPECT_LT(std::abs(std::remainder(code->spin - spin, 2. * M_PI)), 0.25 * pitch);
+      EXPECT_GT(code->odds, 15.) << family.getName() << " minor axis " << minor << " tilt " << tilt;
+      EXPECT_LT(code->unexplained, 1.2) << family.getName() << " minor axis " << minor << " tilt " << tilt;
+    }
+  }
+}
+
+// A word that is no codeword, nor near one, is not explained by any.
+TEST(CodeLikelihood, WhatIsNoCodewordIsNotExplained)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::BCH31R);
+  for (int i = 0; i < 20; ++i) {
+    MarkerScene scene = markerScene(random, family, 0, uniform(random, 30., 60.), uniform(random, 0., 0.8), side);
+    scene.word ^= 0x1f0f0000; // of 31 sectors nine others: codewords differ in eleven at least
+    const auto code = read(imageOf(scene, random), scene, 0.);
+    ASSERT_TRUE(code);
+    EXPECT_GT(code->unexplained, 2.);
+  }
+}
+
+// Over the variance of the noise.
+TEST(CodeLikelihood, OddsFallWithTheNoise)
+{
+  Random random = randomOfTest();
+  const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 5, 20., 0.3, side);
+  const vpImage<unsigned char> I = imageOf(scene, random);
+  FittedPose fit = fitOf(scene, 0.);
+  double last = HUGE_VAL;
+  for (const double believed : {2., 20., 40., 80.}) {
+    fit.noise = believed;
+    const auto code = mostLikelyCode(I, CameraModel(scene.camera()), fit, scene.frame(), scene.family);
+    ASSERT_TRUE(code);
+    EXPECT_LT(code->odds, last);
+    last = code->odds;
+  }
+}
+
+TEST(CodeLikelihood, NoneWhereTheModelDoesNotHold)
+{
+  Random random = randomOfTest();
+  const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 5, 30., 0.3, side);
+  const vpImage<unsigned char> I = imageOf(scene, random);
+  const CameraModel camera(scene.camera());
+  FittedPose fit = fitOf(scene, 0.);
+  ASSERT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family));
+  fit.photometry.shadow = Shadow();
+  EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family)) << "under a shadow";
+  fit = fitOf(scene, 0.);
+  fit.photometry.light = 400.;
+  EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family)) << "over-exposed";
+  fit = fitOf(scene, 0.);
+  fit.plane.center.x() += 0.55 * side / scene.focal * fit.plane.center.z();
+  EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family)) << "at the image's border";
+}
