@@ -109,7 +109,7 @@ TEST(SheetLayout, NothingEntersAQuietZone)
     for (std::size_t i = 0; i < ids.size(); ++i) {
       ids[i] = static_cast<int>(i);
     }
-    const Page page = sheetPage(family, ids, diameter, sheet);
+    const Page page = sheetPage(family, ids, diameter, false, sheet);
     ASSERT_EQ(ids.size(), page.markers.size());
 
     std::vector<Square> squares;
@@ -149,7 +149,7 @@ TEST(SheetLayout, AllLinesAreOnThePaper)
   for (const std::string &name : sheetNames) {
     const Sheet sheet = *sheetOfName(name);
     for (const double diameter : {20., 80., diameterInSquare(family, largestSquare(sheet))}) {
-      const Page page = sheetPage(family, {0}, diameter, sheet);
+      const Page page = sheetPage(family, {0}, diameter, false, sheet);
       int nbLines = 0;
       for (const Shape &shape : page.picture.shapes) {
         if (const Line *line = std::get_if<Line>(&shape)) {
@@ -174,7 +174,7 @@ TEST(MarkerShapes, BlackSectorsAreJoined)
   const vpCircleMarkerFamily family(vpCircleMarkerFamily::BCH31);
   const double fullTurn = 2 * std::acos(-1.);
   for (int id = 0; id < static_cast<int>(family.getNbIds()); id += 13) {
-    const std::vector<Shape> shapes = markerShapes(family, id, 100, 0, 0);
+    const std::vector<Shape> shapes = markerShapes(family, id, 100, false, 0, 0);
     double sum = 0;
     for (std::size_t i = 1; i < shapes.size(); ++i) {
       sum += std::get<AnnularSector>(shapes[i]).sweep;
@@ -189,11 +189,26 @@ TEST(MarkerShapes, BlackSectorsAreJoined)
   }
 }
 
+// White on black: the square of marker and quiet zone without the marker's own shapes.
+TEST(MarkerShapes, TheInverseIsTheSquareWithoutTheMarker)
+{
+  const vpCircleMarkerFamily family;
+  const std::vector<Shape> marker = markerShapes(family, 5, 60, false, 50, 40);
+  const std::vector<Shape> inverse = markerShapes(family, 5, 60, true, 50, 40);
+  ASSERT_EQ(1u, inverse.size());
+  const PiercedSquare &square = std::get<PiercedSquare>(inverse[0]);
+  EXPECT_DOUBLE_EQ(70, square.side);
+  EXPECT_DOUBLE_EQ(15, square.left);
+  EXPECT_DOUBLE_EQ(5, square.top);
+  EXPECT_EQ(marker.size(), square.holes.size());
+}
+
 TEST(Captions, SayFamilyIdAndSize)
 {
-  EXPECT_EQ("golay23  id 5  ring 180 mm", caption(vpCircleMarkerFamily(), 5, 180));
-  EXPECT_EQ("ring of ratio 0.7  52.5 mm", caption(vpCircleMarkerFamily::ring(0.7), noId, 52.5));
-  EXPECT_EQ("disc  10 mm", caption(vpCircleMarkerFamily(vpCircleMarkerFamily::DISC), noId, 10));
+  EXPECT_EQ("golay23  id 5  ring 180 mm", caption(vpCircleMarkerFamily(), 5, 180, false));
+  EXPECT_EQ("golay23  inverse  id 5  ring 180 mm", caption(vpCircleMarkerFamily(), 5, 180, true));
+  EXPECT_EQ("ring of ratio 0.7  52.5 mm", caption(vpCircleMarkerFamily::ring(0.7), noId, 52.5, false));
+  EXPECT_EQ("disc  10 mm", caption(vpCircleMarkerFamily(vpCircleMarkerFamily::DISC), noId, 10, false));
   EXPECT_EQ("0.25", millimetres(0.25));
   EXPECT_EQ("100", millimetres(100));
 }
