@@ -25,6 +25,30 @@ namespace {
 // Odds, ln, by which the ring alone tells its pose from the twin: at a twin what covers the code and the code itself
 // change places.
 constexpr double hopelessOdds = 10.;
+
+// Share of the pixels that show one sector alone that are what a codeword with corrections makes them, at least: where
+// nothing covers the marker all are, where a sector is dirty or covered nine tenths.
+constexpr double leastExplained = 0.6;
+
+// Most that the model may leave of a marker with corrected sectors, standard deviation, share of the contrast: noise of 20
+// grey levels on a contrast of 170. A codeword that was read at a wrong pose leaves more.
+constexpr double mostNoiseOfCorrected = 0.12;
+
+// What a ring's measurement, which started from a pose, tells of its light and blur.
+MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const CameraModel &camera)
+{
+  MeasuredRing ring;
+  ring.plane = fit.plane;
+  ring.origin = camera.toPixel(start.project(Eigen::Vector2d::Zero()));
+  ring.light = fit.photometry.light;
+  // The light is told over the marker's size, as measure() has it.
+  const double pixels = start.radius / (start.center.z() * camera.meterPerPixel(ring.origin).col(0).norm());
+  ring.slope = fit.photometry.lightGradient / pixels;
+  ring.contrast = fit.photometry.contrast;
+  ring.blur = fit.photometry.blur.widest();
+  ring.noise = fit.noise;
+  return ring;
+}
 } // namespace
 
 std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
@@ -40,11 +64,29 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
   if (!measurement) {
     return std::nullopt;
   }
-  const MarkerPlane &first = measurement->first.plane;
+  const MeasuredRing first = ringOf(measurement->first, ring->poses[0], camera);
   const bool hasTwin = measurement->second && measurement->cost2 - measurement->cost < hopelessOdds;
-  const PosePair measured = {first, hasTwin ? measurement->second->plane : first};
+  const std::array<MeasuredRing, 2> measured = {
+      first, hasTwin ? ringOf(*measurement->second, ring->poses[0], camera) : first};
   Judged<Recognition> marker = recogniseCovered(I, camera, measured, family, settings);
   return marker ? std::optional<Recognition>(std::move(*marker)) : std::nullopt;
+}
+
+bool explainsCorrections(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                         const Measurement &measurement)
+{
+  const bool isAsked = marker.code.hamming > 0 && !marker.seen && !marker.blurred;
+  if (!isAsked || measurement.first.photometry.shadow) {
+    return true;
+  }
+  const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
+  if (ring.noise > mostNoiseOfCorrected * ring.contrast * ring.light) {
+    return false;
+  }
+  TrackPixels pixels(I, camera, ring, marker.family);
+  pixels.turnTo(0.);
+  const CodewordVerdict verdict = pixels.judge(marker.family.getCodeword(marker.code.id));
+  return verdict.explained >= leastExplained * verdict.all;
 }
 
 void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector<Attempt> &attempts)

@@ -29,10 +29,15 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
   Recognises a marker that something covers in part: with a part of its outline missing the poses are not good enough
-  for its code, so its ring is measured before. \param I : The image. \param camera : Its camera. \param outline : The
-  outline, as found. \param poses : Both poses of the outline. \param family : What to recognise it as. \param settings
-  : How strictly a code is read. \param memory : Working memory of the measurement. \return The marker; nothing if it is
-  none.
+  for its code, so its ring is measured before.
+  \param I : The image.
+  \param camera : Its camera.
+  \param outline : The outline, as found.
+  \param poses : Both poses of the outline.
+  \param family : What to recognise it as.
+  \param settings : How strictly a code is read.
+  \param memory : Working memory of the measurement.
+  \return The marker; nothing if it is none.
 */
 std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
                                                    const EllipseCandidate &outline, const PosePair &poses,
@@ -46,6 +51,18 @@ enum class ReadingKind
   UNCERTAIN, //!< With sectors so small that the code is proven when the marker is measured.
   COVERED    //!< With something in front of a part of it.
 };
+
+/*!
+  Whether the image shows what a codeword that was read with corrections says: at the measured pose, most pixels of the
+  code track have the grey level that it gives them. What each of them may be off grows with their noise, up to
+  where they tell nothing; of markers too small for a pixel to show one sector alone no more is asked.
+  \param I : The image.
+  \param camera : Its camera.
+  \param marker : The marker, as it was read.
+  \param measurement : Its measured pose.
+*/
+bool explainsCorrections(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                         const Measurement &measurement);
 
 /*! One of the ways to read an outline. */
 struct Attempt

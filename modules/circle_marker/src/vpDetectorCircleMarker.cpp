@@ -315,7 +315,8 @@ vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCan
       isProofWanted
           ? measureProven(visit.I, visit.camera, m_outlines.full.gradient.noise, marker, bench.measuring)
           : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring));
-  if (!measurement) {
+  if (!measurement ||
+      (settings.refinePose && !isProofWanted && !explainsCorrections(visit.I, visit.camera, marker, *measurement))) {
     return std::nullopt;
   }
   const double visible = marker.seen ? marker.seen->share() : outline.support;

@@ -47,7 +47,9 @@ constexpr double leastCoveredContrast = 0.4;
 // Reflectance halfway between black and white sectors is that far from the middle of ink and paper at most.
 constexpr double middleSlack = 0.25;
 // Sectors that must be seen beyond those that the message takes: each halves the chance that others fit.
-constexpr unsigned int leastRedundancy = 2;
+constexpr unsigned int leastRedundancy = 1;
+constexpr unsigned int leastRedundancyInDoubt = 2;
+constexpr std::size_t mostCandidates = 24;
 // By how many sectors the best codeword agrees better than any other.
 constexpr double leastAhead = 0.35;
 
@@ -149,57 +151,79 @@ std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCir
   return result;
 }
 
-Judged<CodeReading> identifyCovered(const SectorReading &reading, const vpCircleMarkerFamily &family,
-                                    const DecodeSettings &settings)
+Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &pixels,
+                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings)
 {
-  if (reading.contrast < leastCoveredContrast || std::abs(reading.middle - 0.5) > middleSlack ||
-      reading.residual > mostResidual * reading.contrast) {
-    return vpCircleMarkerReject::NO_SECTORS;
-  }
   const CyclicCode &code = codeOf(family);
   std::array<double, mostSectors> soft{};
-  double seen = 0.;
   CyclicCode::Word word = 0;
-  CyclicCode::Word mask = 0;
   for (unsigned int k = 0; k < reading.sectors; ++k) {
-    const bool isSeen = reading.seen[k] >= leastSeen;
-    soft[k] = isSeen ? reading.seen[k] * reading.soft[k] : 0.;
-    seen += isSeen ? reading.seen[k] : 0.;
+    soft[k] = reading.seen[k] * reading.soft[k];
     word = (word << 1) | (reading.soft[k] > 0. ? 1U : 0U);
-    mask = (mask << 1) | (isSeen ? 1U : 0U);
   }
-  if (hammingDistance(mask, 0) < code.getDimension() + leastRedundancy) {
-    return vpCircleMarkerReject::NO_SECTORS;
-  }
+  // The codewords that agree best with what is seen, the best first.
+  struct Candidate
+  {
+    CyclicCode::Word word = 0;
+    float score = -HUGE_VALF;
+  };
+  std::array<Candidate, mostCandidates> candidates;
   const Scores scores(soft, reading.sectors);
-  CyclicCode::Word best = 0;
-  float bestScore = scores.of(0);
-  float secondScore = -HUGE_VALF;
   code.forEachCodeword([&](CyclicCode::Word codeword) {
     const float score = scores.of(codeword);
-    if (score > bestScore) {
-      secondScore = bestScore;
-      bestScore = score;
-      best = codeword;
-    }
-    else if (score > secondScore) {
-      secondScore = score;
+    if (score > candidates.back().score) {
+      std::size_t place = candidates.size() - 1;
+      for (; place > 0 && candidates[place - 1].score < score; --place) {
+        candidates[place] = candidates[place - 1];
+      }
+      candidates[place] = {codeword, score};
     }
   });
+  CyclicCode::Word best = 0;
+  CodewordVerdict verdict;
+  double bestSum = -HUGE_VAL;
+  double nextSum = -HUGE_VAL;
+  double phase = reading.phase;
+  for (int look = 0; look < 2; ++look) { // again when the best one has told the phase
+    bestSum = -HUGE_VAL;
+    nextSum = -HUGE_VAL;
+    for (const Candidate &candidate : candidates) {
+      const CodewordVerdict here = pixels.judge(candidate.word);
+      const double sum = static_cast<double>(here.confirmed) - here.contradicted;
+      nextSum = std::max(nextSum, std::min(sum, bestSum));
+      if (sum > bestSum) {
+        bestSum = sum;
+        best = candidate.word;
+        verdict = here;
+      }
+    }
+    if (look == 0) {
+      phase = pixels.improvePhase(best);
+    }
+  }
   const auto identity = code.identify(best);
   if (!identity) {
     return vpCircleMarkerReject::NO_CODEWORD;
   }
   CodeReading result;
   result.id = identity->id;
-  result.hamming = hammingDistance(word & mask, best & mask);
-  result.margin = bestScore / seen;
-  result.spin = reading.phase + 2. * M_PI * identity->rotation / reading.sectors;
-  // Each sector in which two words differ tells them apart by two.
-  const double ahead = 0.5 * static_cast<double>(bestScore - secondScore);
-  const double corrected = static_cast<double>(result.hamming) / code.getCapacity();
-  if (result.hamming > settings.maximumHamming || ahead < leastAhead + result.hamming ||
-      result.margin < settings.minimumMargin + marginOfCapacity * corrected) {
+  result.hamming = verdict.contradicted;
+  result.margin = static_cast<double>(verdict.confirmed) / reading.sectors;
+  result.spin = phase + 2. * M_PI * identity->rotation / reading.sectors;
+  const unsigned int redundancy = pixels.hasCoverLikePrint() ? leastRedundancyInDoubt : leastRedundancy;
+  // Bits by which what is read exceeds what would fit some codeword with so many errors by chance.
+  const unsigned int told = verdict.confirmed + verdict.contradicted;
+  double ways = 1.;
+  double patterns = 1.;
+  for (unsigned int i = 1; i <= verdict.contradicted; ++i) {
+    ways *= static_cast<double>(told + 1 - i) / i;
+    patterns += ways;
+  }
+  const double bits = static_cast<double>(told) - code.getDimension() - std::log2(patterns);
+  if (bits < redundancy) {
+    return {vpCircleMarkerReject::NO_SECTORS, result};
+  }
+  if (verdict.contradicted > settings.maximumHamming || bestSum < nextSum + 2. * (1. + verdict.contradicted)) {
     return {vpCircleMarkerReject::LOW_MARGIN, result};
   }
   return result;

@@ -21,6 +21,7 @@
 #include <optional>
 
 #include "decode/sector_reading.h"
+#include "decode/track_pixels.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -52,8 +53,8 @@ std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCir
   The same for a reading of which a part is not seen: the codeword that agrees best with what is, if no other comes near
   it. All codewords are tried.
 */
-Judged<CodeReading> identifyCovered(const SectorReading &reading, const vpCircleMarkerFamily &family,
-                                    const DecodeSettings &settings);
+Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &pixels,
+                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -56,7 +56,7 @@ constexpr double mostUnexplained = 0.05;
 // Whether enough of the sectors are seen, black and white, that measuring the ring is worth while.
 bool looksLikeCode(const SectorReading &reading)
 {
-  constexpr double leastShare = 0.4; // of the sectors: fewer than this hold no message
+  constexpr double leastShare = 0.25; // of the sectors: at the outline's pose not all that are seen are told
   constexpr double leastContrast = 0.4;
   constexpr double mostOffMiddle = 0.25;
   unsigned int seen = 0;
@@ -245,22 +245,27 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   return Recognition{vpCircleMarkerFamily::ring(inner), CodeReading(), inner, poses, most, true, std::nullopt};
 }
 
-Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
-                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings)
+Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                     const std::array<MeasuredRing, 2> &rings, const vpCircleMarkerFamily &family,
+                                     const DecodeSettings &settings)
 {
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_RING, vpCircleMarkerReject::NO_RING};
   std::array<std::optional<SeenParts>, 2> seen;
   for (std::size_t i = 0; i < 2; ++i) {
-    if (const auto reading = readCoveredSectors(I, camera, poses[i], family)) {
-      codes[i] = identifyCovered(reading->sectors, family, settings);
-      seen[i] = reading->seen;
+    auto reading = readCoveredSectors(I, camera, rings[i].plane, family);
+    if (!reading) {
+      continue;
     }
+    seen[i] = reading->seen;
+    TrackPixels pixels(I, camera, rings[i], family);
+    pixels.improve(reading->sectors);
+    codes[i] = identifyCovered(reading->sectors, pixels, family, settings);
   }
   const std::size_t best = isFarther(codes[0], codes[1]) ? 1 : 0;
   if (!codes[best]) {
     return codes[best].reason();
   }
-  Recognition result = markerOf(poses, family, codes, best);
+  Recognition result = markerOf({rings[0].plane, rings[1].plane}, family, codes, best);
   result.seen = seen[best];
   return result;
 }

@@ -18,11 +18,13 @@
 #ifndef VP_CIRCLE_MARKER_RECOGNISE_H
 #define VP_CIRCLE_MARKER_RECOGNISE_H
 
+#include <array>
 #include <optional>
 
 #include "decode/blurred_reading.h"
 #include "decode/identify.h"
 #include "decode/seen_parts.h"
+#include "decode/track_pixels.h"
 #include "ellipse/ellipse_candidates.h"
 #include "pose/hypotheses.h"
 #include "support/deadline.h"
@@ -87,12 +89,13 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   Reads the code of such a marker.
   \param I : The image.
   \param camera : Its camera.
-  \param poses : Both poses of its ring, measured.
+  \param rings : Both poses of its ring, measured.
   \param family : The family.
   \param settings : How strictly a code is read.
 */
-Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
-                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings);
+Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                     const std::array<MeasuredRing, 2> &rings, const vpCircleMarkerFamily &family,
+                                     const DecodeSettings &settings);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

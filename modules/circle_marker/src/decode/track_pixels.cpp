@@ -1,0 +1,342 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Sectors of a code track of which something covers a part.
+ * Pixels of a code track at a measured pose, and what they say of its sectors and of a codeword.
+ */
+
+#include "decode/track_pixels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/normal_distribution.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// What the model leaves of a level, share of the contrast; a pixel's noise comes to it, this many standard deviations.
+constexpr double modelError = 0.015;
+constexpr double mostOfNoise = 3.5;
+// Standard deviation of what the model leaves, and how much more the root mean square of a sector's pixels may be,
+// divided by the root of their number: it is known to 0.7 of that.
+constexpr double usualError = 0.008;
+constexpr double mostOfSpread = 1.6;
+// A pixel that is that near to ink or paper, or beyond it, in standard deviations of noise besides the model's error,
+// is like it: most pixels of a cover that has just this grey level are.
+constexpr double likeOfNoise = 1.;
+// Pixels of a cover that make it one.
+constexpr int fewestOfCover = 2;
+// Parts of a sector for which it is told apart, and the parts to either side that are taken to be covered by the same.
+constexpr unsigned int partsPerSector = 8;
+constexpr unsigned int coverReach = 3;
+// The inner part of the centre, in which directions are not told apart.
+constexpr double middleOfCenter = 0.28;
+// A pixel shows a sector alone if its share of it is this share of the greatest that any pixel has.
+constexpr double leastPurity = 0.85;
+// Pixels, and share of those that show a sector alone, by which it is read.
+constexpr double fewestPixels = 2.5;
+constexpr double leastShareOfPixels = 0.25;
+// So many pixels of the other kind, share of those of the one, make it neither.
+constexpr double mostOfOther = 0.15;
+// Weights of a sector that only pixels tell which may be covered by something like them.
+constexpr double doubtfulWeight = 0.3;
+// Steps by which the grid of sectors is turned, of a sector: from the first look, and once sectors are known; and what
+// is left at the end, a twentieth of a pixel on a track of 60 pixels.
+constexpr double firstStep = 1. / 12.;
+constexpr double secondStep = 1. / 24.;
+constexpr double leastStep = 1. / 200.;
+// So many pixels tell as much as all.
+constexpr double enoughPixels = 3000.;
+} // namespace
+
+TrackPixels::TrackPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring,
+                         const vpCircleMarkerFamily &family)
+    : m_layout(family.getLayout()), m_sectors(family.getNbSectors()),
+      m_noise(ring.noise / (ring.contrast * ring.light)), m_slack(modelError + mostOfNoise * m_noise)
+{
+  collect(I, camera, ring);
+  findCover();
+}
+
+void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring)
+{
+  Eigen::Vector2d least = camera.toPixel(ring.plane.project(Eigen::Vector2d::Zero()));
+  Eigen::Vector2d most = least;
+  constexpr int directions = 32;
+  for (int i = 0; i < directions; ++i) {
+    const double angle = 2. * M_PI * i / directions;
+    const Eigen::Vector2d p = camera.toPixel(ring.plane.project(Eigen::Vector2d(std::cos(angle), std::sin(angle))));
+    least = least.cwiseMin(p);
+    most = most.cwiseMax(p);
+  }
+  const double area = 0.785 * (most - least).prod();
+  const int step = std::max(1, static_cast<int>(std::lround(std::sqrt(area / enoughPixels))));
+  const auto clamped = [](double value, unsigned int size) {
+    return static_cast<int>(std::clamp(value, 0., static_cast<double>(size) - 1.));
+  };
+  const NormalDistribution &normal = NormalDistribution::instance();
+  const int right = clamped(most.x() + 1., I.getWidth());
+  const int bottom = clamped(most.y() + 1., I.getHeight());
+  for (int v = clamped(least.y(), I.getHeight()); v <= bottom; v += step) {
+    for (int u = clamped(least.x(), I.getWidth()); u <= right; u += step) {
+      const Eigen::Vector2d place(u, v);
+      const Eigen::Vector2d meter = camera.toMeter(place);
+      const Eigen::Vector2d q = ring.plane.intersect(meter);
+      const double radius = q.norm();
+      const double white = ring.light + ring.slope.dot(place - ring.origin);
+      if (radius < middleOfCenter || radius > 1. || !(white > 1.)) {
+        continue;
+      }
+      const Eigen::Matrix2d perPixel = camera.meterPerPixel(place);
+      Eigen::Matrix2d byPixel;
+      byPixel.col(0) = ring.plane.intersect(meter + perPixel.col(0)) - q;
+      byPixel.col(1) = ring.plane.intersect(meter + perPixel.col(1)) - q;
+      const Eigen::Vector2d out = q / radius;
+      const double across = ring.blur * (byPixel.transpose() * out).norm();
+      const double along = ring.blur * (byPixel.transpose() * Eigen::Vector2d(-out.y(), out.x())).norm();
+      const auto upTo = [&](double edge) { return normal.at((edge - radius) / across).cumulative; };
+      Pixel pixel;
+      pixel.turn = std::atan2(q.y(), q.x()) / (2. * M_PI);
+      pixel.turn += pixel.turn < 0. ? 1. : 0.;
+      pixel.ring = upTo(1.) - upTo(m_layout.ringInner);
+      pixel.track = upTo(m_layout.codeOuter) - upTo(m_layout.codeInner);
+      pixel.spread = along / radius / (2. * M_PI);
+      const double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
+      pixel.level = 1. - (1. - grey / white) / ring.contrast;
+      m_pixels.push_back(pixel);
+    }
+  }
+}
+
+// Where something is seen that is neither print nor paper, but as dark as ink or as bright as paper.
+void TrackPixels::findCover()
+{
+  const unsigned int parts = partsPerSector * m_sectors;
+  const double like = modelError + likeOfNoise * m_noise;
+  std::array<int, mostSamples> ink{};
+  std::array<int, mostSamples> paper{};
+  int all = 0;
+  for (const Pixel &pixel : m_pixels) {
+    const double lowest = 1. - pixel.ring - pixel.track;
+    const double highest = 1. - pixel.ring;
+    if (pixel.level > lowest - m_slack && pixel.level < highest + m_slack) {
+      continue;
+    }
+    const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
+    ink[part] += pixel.level < like ? 1 : 0;
+    paper[part] += pixel.level > 1. - like ? 1 : 0;
+    all += pixel.level < like || pixel.level > 1. - like ? 1 : 0;
+  }
+  m_hasLikePrint = all > fewestOfCover;
+  for (unsigned int i = 0; i < parts; ++i) {
+    int inks = 0;
+    int papers = 0;
+    for (unsigned int k = 0; k <= 2 * coverReach; ++k) {
+      const unsigned int beside = (i + parts + k - coverReach) % parts;
+      inks += ink[beside];
+      papers += paper[beside];
+    }
+    m_inkCover[i] = inks >= fewestOfCover;
+    m_paperCover[i] = papers >= fewestOfCover;
+  }
+}
+
+void TrackPixels::turnTo(double phase)
+{
+  const NormalDistribution &normal = NormalDistribution::instance();
+  const unsigned int parts = partsPerSector * m_sectors;
+  const double first = phase / (2. * M_PI);
+  m_phase = phase;
+  m_placed.clear();
+  std::array<double, mostSectors> purest{};
+  for (const Pixel &pixel : m_pixels) {
+    if (pixel.track < 2. * m_slack) {
+      continue;
+    }
+    double place = (pixel.turn - first) * m_sectors;
+    place -= m_sectors * std::floor(place / m_sectors);
+    Placed placed;
+    placed.sector = std::min(static_cast<unsigned int>(place), m_sectors - 1);
+    const double inside = place - placed.sector;
+    const double width = pixel.spread * m_sectors;
+    placed.before = pixel.track * normal.at(-inside / width).cumulative;
+    placed.after = pixel.track * normal.at((inside - 1.) / width).cumulative;
+    placed.own = pixel.track - placed.before - placed.after;
+    placed.residual = pixel.level - (1. - pixel.ring);
+    const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
+    placed.isTrusted = {!m_paperCover[part], !m_inkCover[part]};
+    purest[placed.sector] = std::max(purest[placed.sector], placed.own);
+    m_placed.push_back(placed);
+  }
+  m_placed.erase(
+      std::remove_if(m_placed.begin(), m_placed.end(),
+                     [&](const Placed &placed) { return placed.own < leastPurity * purest[placed.sector]; }),
+      m_placed.end());
+}
+
+// Counts the pixels of all sectors, of which some may be known.
+TrackPixels::Tallies TrackPixels::count(const Kinds &kinds) const
+{
+  Tallies tallies;
+  for (const Placed &placed : m_placed) {
+    Tally &tally = tallies[placed.sector];
+    tally.all += 1.;
+    double lowest = placed.residual; // if the sector is white
+    double highest = lowest;
+    const auto add = [&](unsigned int neighbour, double share) {
+      const Kind kind = kinds[neighbour % m_sectors];
+      highest += kind == Kind::WHITE ? 0. : share;
+      lowest += kind == Kind::BLACK ? share : 0.;
+    };
+    add(placed.sector + m_sectors - 1, placed.before);
+    add(placed.sector + 1, placed.after);
+    if (placed.own - (highest - lowest) < 2. * m_slack) {
+      continue;
+    }
+    for (const std::size_t black : {0, 1}) {
+      const double more = black == 1 ? placed.own : 0.;
+      const double residual = std::max({0., lowest + more, -(highest + more)});
+      if (residual < m_slack) {
+        tally.explained[black] += 1.;
+        tally.trusted[black] += placed.isTrusted[black] ? 1. : 0.;
+        tally.squares[black] += residual * residual;
+      }
+    }
+  }
+  return tallies;
+}
+
+// Whether the pixels of a sector are those of a kind, white (0) or black (1).
+bool TrackPixels::isSo(const Tally &tally, std::size_t kind, bool trusts) const
+{
+  const double number = (trusts ? tally.trusted : tally.explained)[kind];
+  if (number < std::max(fewestPixels, leastShareOfPixels * tally.all) ||
+      tally.explained[1 - kind] > mostOfOther * tally.explained[kind]) {
+    return false;
+  }
+  const double usual = std::hypot(m_noise, usualError) * (1. + mostOfSpread / std::sqrt(tally.explained[kind]));
+  return tally.squares[kind] < usual * usual * tally.explained[kind];
+}
+
+// How well the pixels agree with what they should be: the more of them and the nearer the better.
+double TrackPixels::fitOf(const Kinds &kinds) const
+{
+  const Tallies tallies = count(kinds);
+  double sum = 0.;
+  for (unsigned int k = 0; k < m_sectors; ++k) {
+    const Tally &tally = tallies[k];
+    const bool isBlack =
+        kinds[k] == Kind::UNKNOWN ? tally.explained[1] > tally.explained[0] : kinds[k] == Kind::BLACK;
+    const std::size_t kind = isBlack ? 1 : 0;
+    sum += tally.explained[kind] - tally.explained[1 - kind] - tally.squares[kind] / (m_slack * m_slack);
+  }
+  return sum;
+}
+
+// Turns the grid of sectors to the phase about the present one that agrees best with what the sectors are.
+void TrackPixels::improvePhase(const Kinds &kinds, double firstStep)
+{
+  double fit = fitOf(kinds);
+  double best = m_phase;
+  for (double step = firstStep; step > leastStep; step *= 0.5) {
+    const double from = best;
+    for (const double side : {-1., 1.}) {
+      turnTo(from + side * step * 2. * M_PI / m_sectors);
+      const double here = fitOf(kinds);
+      if (here > fit) {
+        fit = here;
+        best = m_phase;
+      }
+    }
+  }
+  turnTo(best);
+}
+
+// What is known of the sectors if nothing is known of their neighbours at first.
+TrackPixels::Kinds TrackPixels::kindsAlone() const
+{
+  Kinds kinds;
+  kinds.fill(Kind::UNKNOWN);
+  constexpr int passes = 3; // the neighbours of a sector, then itself, then once more
+  for (int pass = 0; pass < passes; ++pass) {
+    const Tallies tallies = count(kinds);
+    for (unsigned int k = 0; k < m_sectors; ++k) {
+      kinds[k] = isSo(tallies[k], 1, true) ? Kind::BLACK : isSo(tallies[k], 0, true) ? Kind::WHITE : Kind::UNKNOWN;
+    }
+  }
+  return kinds;
+}
+
+void TrackPixels::improve(SectorReading &reading)
+{
+  Kinds unknown;
+  unknown.fill(Kind::UNKNOWN);
+  turnTo(reading.phase);
+  improvePhase(unknown, firstStep);
+  improvePhase(kindsAlone(), secondStep);
+  const Kinds kinds = kindsAlone();
+  const Tallies tallies = count(kinds);
+  reading.phase = m_phase;
+  for (unsigned int k = 0; k < m_sectors; ++k) {
+    const bool isBlack = isSo(tallies[k], 1, false);
+    if (kinds[k] != Kind::UNKNOWN) {
+      reading.soft[k] = kinds[k] == Kind::BLACK ? 1. : -1.;
+      reading.seen[k] = 1.;
+    }
+    else if (isBlack || isSo(tallies[k], 0, false)) {
+      reading.soft[k] = isBlack ? 1. : -1.;
+      reading.seen[k] = doubtfulWeight;
+    }
+    else {
+      reading.seen[k] *= doubtfulWeight;
+    }
+  }
+}
+
+TrackPixels::Kinds TrackPixels::kindsOf(CyclicCode::Word word) const
+{
+  Kinds kinds;
+  for (unsigned int k = 0; k < m_sectors; ++k) {
+    kinds[k] = ((word >> (m_sectors - 1 - k)) & 1U) != 0 ? Kind::BLACK : Kind::WHITE;
+  }
+  return kinds;
+}
+
+double TrackPixels::improvePhase(CyclicCode::Word word)
+{
+  improvePhase(kindsOf(word), secondStep);
+  return m_phase;
+}
+
+CodewordVerdict TrackPixels::judge(CyclicCode::Word word) const
+{
+  const Kinds kinds = kindsOf(word);
+  const Tallies tallies = count(kinds);
+  CodewordVerdict verdict;
+  for (unsigned int k = 0; k < m_sectors; ++k) {
+    const std::size_t kind = kinds[k] == Kind::BLACK ? 1 : 0;
+    verdict.all += tallies[k].all;
+    verdict.explained += tallies[k].explained[kind];
+    if (isSo(tallies[k], kind, true)) {
+      ++verdict.confirmed;
+    }
+    else if (isSo(tallies[k], 1 - kind, true)) {
+      ++verdict.contradicted;
+    }
+  }
+  return verdict;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,147 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Sectors of a code track of which something covers a part.
+ * Pixels of a code track at a measured pose, and what they say of its sectors and of a codeword.
+ */
+
+#ifndef VP_CIRCLE_MARKER_TRACK_PIXELS_H
+#define VP_CIRCLE_MARKER_TRACK_PIXELS_H
+
+#include <vector>
+
+#include "decode/code_track.h"
+#include "decode/cyclic_code.h"
+#include "pose/marker_plane.h"
+#include "support/camera_model.h"
+
+#include <visp3/circle_marker/vpCircleMarkerFamily.h>
+#include <visp3/core/vpImage.h>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! A ring whose pose, light and blur are measured. */
+struct MeasuredRing
+{
+  MarkerPlane plane;
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero(); //!< Pixel at which the light is told.
+  double light = 0.;                                //!< Grey level of white paper there.
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();  //!< Its change by the pixel.
+  double contrast = 0.;                             //!< 1 - black / white.
+  double blur = 0.;                                 //!< Standard deviation, pixels.
+  double noise = 0.;                                //!< Standard deviation, grey levels.
+};
+
+/*! What the pixels say of a codeword; of the sectors that are left nothing is said. */
+struct CodewordVerdict
+{
+  unsigned int confirmed = 0;    //!< Sectors whose pixels are what the codeword makes them.
+  unsigned int contradicted = 0; //!< Sectors whose pixels are what the other kind of sector would make them.
+  double all = 0.;               //!< Pixels that show one sector alone.
+  double explained = 0.;         //!< Those of them that are what the codeword makes them.
+};
+
+/*!
+  At the pose of a measured ring each pixel of the code track has the grey level that its sectors give it through the
+  blur, to a hundredth of the contrast and the noise; or something covers it.
+*/
+class TrackPixels
+{
+public:
+  /*!
+    \param I : The image.
+    \param camera : Its camera.
+    \param ring : The ring.
+    \param family : The family.
+  */
+  TrackPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring,
+              const vpCircleMarkerFamily &family);
+
+  /*! Whether what covers the marker is, where the print is known, as dark as ink or as bright as paper. */
+  bool hasCoverLikePrint() const { return m_hasLikePrint; }
+
+  /*! Adds to a reading what the pixels tell of the sectors, and improves its phase. */
+  void improve(SectorReading &reading);
+
+  /*! Sets the angle at which the first sector starts, rad. */
+  void turnTo(double phase);
+
+  /*! Improves that angle by a codeword. \return The angle, rad. */
+  double improvePhase(CyclicCode::Word word);
+
+  /*! Judges a codeword: it gives all sectors, so that what each pixel should be is known. */
+  CodewordVerdict judge(CyclicCode::Word word) const;
+
+private:
+  /*! A pixel, as the marker has it. */
+  struct Pixel
+  {
+    double turn = 0.;   //!< Direction from the centre, turns.
+    double level = 0.;  //!< 0 ink, 1 paper.
+    double ring = 0.;   //!< Share of the ring in it.
+    double track = 0.;  //!< Share of the code track in it.
+    double spread = 0.; //!< Standard deviation of the blur around the marker, turns.
+  };
+  /*! A pixel on the grid of sectors. */
+  struct Placed
+  {
+    unsigned int sector = 0;
+    double own = 0.;                //!< Share of its sector in it.
+    double before = 0.;             //!< Share of the sector before.
+    double after = 0.;              //!< Share of the sector after.
+    double residual = 0.;           //!< Its level, less what it would be on a white track.
+    std::array<bool, 2> isTrusted;  //!< Whether nothing like paper, like ink, is beside.
+  };
+  /*! What a sector is. */
+  enum class Kind
+  {
+    UNKNOWN,
+    WHITE,
+    BLACK
+  };
+  using Kinds = std::array<Kind, mostSectors>;
+  /*! Pixels of a sector. */
+  struct Tally
+  {
+    double all = 0.;                            //!< Pixels that show the sector alone.
+    std::array<double, 2> explained = {0., 0.}; //!< Those as they are if it is white, and if it is black.
+    std::array<double, 2> trusted = {0., 0.};   //!< Those of them with nothing like them beside.
+    std::array<double, 2> squares = {0., 0.};   //!< Sums of the squares of what is left of their levels.
+  };
+  using Tallies = std::array<Tally, mostSectors>;
+
+  void collect(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring);
+  void findCover();
+  Tallies count(const Kinds &kinds) const;
+  bool isSo(const Tally &tally, std::size_t kind, bool trusts) const;
+  double fitOf(const Kinds &kinds) const;
+  void improvePhase(const Kinds &kinds, double firstStep);
+  Kinds kindsAlone() const;
+  Kinds kindsOf(CyclicCode::Word word) const;
+
+  const vpCircleMarkerLayout &m_layout;
+  const unsigned int m_sectors;
+  const double m_noise; //!< Standard deviation, share of the contrast.
+  const double m_slack; //!< What a pixel's level may be off.
+  bool m_hasLikePrint = false;
+  std::vector<Pixel> m_pixels;
+  std::vector<Placed> m_placed; //!< Those that show one sector alone.
+  double m_phase = 0.;          //!< Of the grid of sectors, rad.
+  std::array<bool, mostSamples> m_inkCover;   //!< By parts of sectors: whether something there is like ink.
+  std::array<bool, mostSamples> m_paperCover; //!< Or like paper.
+};
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
