@@ -30,8 +30,8 @@ constexpr double hopelessOdds = 10.;
 // nothing covers the marker all are, where a sector is dirty or covered nine tenths.
 constexpr double leastExplained = 0.6;
 
-// Most that the model may leave of a marker with corrected sectors, standard deviation, share of the contrast: noise of 20
-// grey levels on a contrast of 170. A codeword that was read at a wrong pose leaves more.
+// Most that the model may leave of a marker with corrected sectors, standard deviation, share of the contrast: noise of
+// 20 grey levels on a contrast of 170. A codeword that was read at a wrong pose leaves more.
 constexpr double mostNoiseOfCorrected = 0.12;
 
 // What a ring's measurement, which started from a pose, tells of its light and blur.
@@ -66,8 +66,8 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
   }
   const MeasuredRing first = ringOf(measurement->first, ring->poses[0], camera);
   const bool hasTwin = measurement->second && measurement->cost2 - measurement->cost < hopelessOdds;
-  const std::array<MeasuredRing, 2> measured = {
-      first, hasTwin ? ringOf(*measurement->second, ring->poses[0], camera) : first};
+  const std::array<MeasuredRing, 2> measured = {first,
+                                                hasTwin ? ringOf(*measurement->second, ring->poses[0], camera) : first};
   Judged<Recognition> marker = recogniseCovered(I, camera, measured, family, settings);
   return marker ? std::optional<Recognition>(std::move(*marker)) : std::nullopt;
 }

@@ -180,10 +180,9 @@ void TrackPixels::turnTo(double phase)
     purest[placed.sector] = std::max(purest[placed.sector], placed.own);
     m_placed.push_back(placed);
   }
-  m_placed.erase(
-      std::remove_if(m_placed.begin(), m_placed.end(),
-                     [&](const Placed &placed) { return placed.own < leastPurity * purest[placed.sector]; }),
-      m_placed.end());
+  m_placed.erase(std::remove_if(m_placed.begin(), m_placed.end(),
+                                [&](const Placed &placed) { return placed.own < leastPurity * purest[placed.sector]; }),
+                 m_placed.end());
 }
 
 // Counts the pixels of all sectors, of which some may be known.
@@ -237,8 +236,7 @@ double TrackPixels::fitOf(const Kinds &kinds) const
   double sum = 0.;
   for (unsigned int k = 0; k < m_sectors; ++k) {
     const Tally &tally = tallies[k];
-    const bool isBlack =
-        kinds[k] == Kind::UNKNOWN ? tally.explained[1] > tally.explained[0] : kinds[k] == Kind::BLACK;
+    const bool isBlack = kinds[k] == Kind::UNKNOWN ? tally.explained[1] > tally.explained[0] : kinds[k] == Kind::BLACK;
     const std::size_t kind = isBlack ? 1 : 0;
     sum += tally.explained[kind] - tally.explained[1 - kind] - tally.squares[kind] / (m_slack * m_slack);
   }

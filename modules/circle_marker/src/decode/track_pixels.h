@@ -97,11 +97,11 @@ private:
   struct Placed
   {
     unsigned int sector = 0;
-    double own = 0.;                //!< Share of its sector in it.
-    double before = 0.;             //!< Share of the sector before.
-    double after = 0.;              //!< Share of the sector after.
-    double residual = 0.;           //!< Its level, less what it would be on a white track.
-    std::array<bool, 2> isTrusted;  //!< Whether nothing like paper, like ink, is beside.
+    double own = 0.;               //!< Share of its sector in it.
+    double before = 0.;            //!< Share of the sector before.
+    double after = 0.;             //!< Share of the sector after.
+    double residual = 0.;          //!< Its level, less what it would be on a white track.
+    std::array<bool, 2> isTrusted; //!< Whether nothing like paper, like ink, is beside.
   };
   /*! What a sector is. */
   enum class Kind
@@ -136,8 +136,8 @@ private:
   const double m_slack; //!< What a pixel's level may be off.
   bool m_hasLikePrint = false;
   std::vector<Pixel> m_pixels;
-  std::vector<Placed> m_placed; //!< Those that show one sector alone.
-  double m_phase = 0.;          //!< Of the grid of sectors, rad.
+  std::vector<Placed> m_placed;               //!< Those that show one sector alone.
+  double m_phase = 0.;                        //!< Of the grid of sectors, rad.
   std::array<bool, mostSamples> m_inkCover;   //!< By parts of sectors: whether something there is like ink.
   std::array<bool, mostSamples> m_paperCover; //!< Or like paper.
 };

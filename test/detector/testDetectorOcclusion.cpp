@@ -1,0 +1,115 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Sectors of a code track of which something covers a part.
+ * Markers that something covers in part are found, rightly read, or not at all.
+ */
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "detector_scenes.h"
+
+using namespace detector_test;
+
+namespace {
+constexpr unsigned int frames = 60;
+
+/*! What is asked of a cover. */
+struct Floor
+{
+  vpCircleMarkerFamily::vpType family;
+  const char *shape;
+  double share;       //!< Of the disc's diameter that the cover takes.
+  unsigned int least; //!< Found and rightly read, of all frames.
+};
+
+// Corners of a cover of one grey level, in the marker's plane, in units of the outer radius.
+std::vector<Eigen::Vector2d> corners(Random &random, const std::string &shape, double share)
+{
+  const double direction = uniform(random, 0., 2. * M_PI);
+  const Eigen::Rotation2Dd turned(direction);
+  std::vector<Eigen::Vector2d> points;
+  if (shape == "blob") {
+    const Eigen::Vector2d center = turned * Eigen::Vector2d(uniform(random, 0., 1.), 0.);
+    constexpr int count = 40;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2. * M_PI * i / count;
+      points.push_back(center + share * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    return points;
+  }
+  constexpr double far = 3.; // beyond the sheet
+  const double first = shape == "bar" ? uniform(random, -0.5, 0.5) : 1. - 2. * share;
+  const double last = shape == "bar" ? first + 2. * share : far;
+  for (const auto &[x, y] : {std::pair{first, -far}, {last, -far}, {last, far}, {first, far}}) {
+    points.push_back(turned * Eigen::Vector2d(x, y));
+  }
+  return points;
+}
+
+class DetectorOcclusion : public testing::TestWithParam<Floor>
+{
+};
+} // namespace
+
+TEST_P(DetectorOcclusion, MarkersAreFoundAndRightlyReadOrNotAtAll)
+{
+  const Floor &floor = GetParam();
+  const vpCircleMarkerFamily family(floor.family);
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector(family);
+  detector.setZAlignedWithCameraAxis(true);
+  unsigned int found = 0;
+  for (unsigned int frame = 0; frame < frames; ++frame) {
+    const double diameter = 44. * std::pow(150. / 44., uniform(random, 0., 1.));
+    const vpHomogeneousMatrix cMo = randomPose(random, diameter, uniform(random, 0., 1.));
+    const int id = randomId(random, family);
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    simulator.setBackground(vpSceneBackground::clutter(random(), 20));
+    std::vector<vpImagePoint> cover;
+    for (const Eigen::Vector2d &corner : corners(random, floor.shape, floor.share)) {
+      const Eigen::Vector3d p = translationOf(cMo) + rotationOf(cMo).leftCols<2>() * (0.5 * size * corner);
+      cover.push_back(simulator.project(p.x(), p.y(), p.z()));
+    }
+    simulator.addOccluder(vpSceneOccluder::polygon(cover, uniform(random, 20., 230.)));
+    vpSimulatedMarker marker = printed(family, id);
+    simulator.addMarker(marker.setPose(cMo));
+    vpImage<unsigned char> I;
+    const auto truth = simulator.render(I, random());
+    std::vector<vpHomogeneousMatrix> poses;
+    detector.detect(I, size, straightCamera(), poses);
+    for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
+      const bool isHere = vpImagePoint::distance(detection.center, truth[0].center) < 0.1 * diameter;
+      EXPECT_TRUE(isHere && detection.id == id) << "frame " << frame << ": id " << detection.id << " for " << id;
+      found += isHere && detection.id == id ? 1 : 0;
+    }
+  }
+  EXPECT_GE(found, floor.least) << "of " << frames;
+}
+
+INSTANTIATE_TEST_SUITE_P(Floors, DetectorOcclusion,
+                         testing::Values(Floor{vpCircleMarkerFamily::GOLAY23, "halfplane", 0.2, 0},
+                                         Floor{vpCircleMarkerFamily::GOLAY23, "halfplane", 0.3, 0},
+                                         Floor{vpCircleMarkerFamily::GOLAY23, "bar", 0.15, 0},
+                                         Floor{vpCircleMarkerFamily::GOLAY23, "blob", 0.4, 0},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.3, 0},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.4, 0},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 0},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "blob", 0.5, 0}),
+                         [](const auto &info) {
+                           return vpCircleMarkerFamily(info.param.family).getName() + "_" + info.param.shape + "_" +
+                                  std::to_string(static_cast<int>(100. * info.param.share));
+                         });
