@@ -17,6 +17,7 @@
 
 #include "decode/identify.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -42,16 +43,12 @@ constexpr double mostResidual = 0.25;
 // of 20 pixels and more are read without correction at 0.77 and better.)
 constexpr double marginOfCapacity = 0.3;
 
-// A covered marker's black and white sectors stand further apart: it is not as small, and has less to prove itself.
-constexpr double leastCoveredContrast = 0.4;
-// Reflectance halfway between black and white sectors is that far from the middle of ink and paper at most.
-constexpr double middleSlack = 0.25;
-// Sectors that must be seen beyond those that the message takes: each halves the chance that others fit.
-constexpr unsigned int leastRedundancy = 1;
-constexpr unsigned int leastRedundancyInDoubt = 2;
+// Bits that the sectors of a covered marker tell beyond its message, at least: each halves the chance that others fit.
+// Where something that looks like ink or paper covers it, a sector is taken for another kind more easily.
+constexpr double leastRedundancy = 1.;
+constexpr double leastRedundancyInDoubt = 2.;
+// Codewords that are compared with the pixels: beyond this rank in a first reading none has been the right one.
 constexpr std::size_t mostCandidates = 24;
-// By how many sectors the best codeword agrees better than any other.
-constexpr double leastAhead = 0.35;
 
 /*! Sums of the soft values with the signs of a word's bits, byte by byte: four look-ups for a word. */
 class Scores
@@ -89,6 +86,74 @@ double agreement(const SectorReading &reading, CyclicCode::Word codeword)
     sum += black ? reading.soft[k] : -reading.soft[k];
   }
   return sum / reading.sectors;
+}
+/*! A codeword and how well it agrees with a reading. */
+struct Candidate
+{
+  CyclicCode::Word word = 0;
+  float score = -HUGE_VALF;
+};
+using Candidates = std::array<Candidate, mostCandidates>;
+
+// The codewords that agree best with what is seen of a reading, the best first.
+Candidates likeliestWords(const SectorReading &reading, const CyclicCode &code)
+{
+  std::array<double, mostSectors> soft{};
+  for (unsigned int k = 0; k < reading.sectors; ++k) {
+    soft[k] = reading.seen[k] * reading.soft[k];
+  }
+  const Scores scores(soft, reading.sectors);
+  Candidates candidates;
+  code.forEachCodeword([&](CyclicCode::Word codeword) {
+    const float score = scores.of(codeword);
+    std::size_t place = candidates.size();
+    for (; place > 0 && candidates[place - 1].score < score; --place) {
+      if (place < candidates.size()) {
+        candidates[place] = candidates[place - 1];
+      }
+    }
+    if (place < candidates.size()) {
+      candidates[place] = {codeword, score};
+    }
+  });
+  return candidates;
+}
+
+/*! The codeword that the pixels confirm most. */
+struct BestWord
+{
+  CyclicCode::Word word = 0;
+  CodewordVerdict verdict;
+  double sum = -HUGE_VAL;     // sectors that confirm it less those that contradict it
+  double nextSum = -HUGE_VAL; // the same of the next one
+};
+
+BestWord bestOf(const Candidates &candidates, const TrackPixels &pixels)
+{
+  BestWord best;
+  for (const Candidate &candidate : candidates) {
+    const CodewordVerdict verdict = pixels.judge(candidate.word);
+    const double sum = static_cast<double>(verdict.confirmed) - verdict.contradicted;
+    best.nextSum = std::max(best.nextSum, std::min(sum, best.sum));
+    if (sum > best.sum) {
+      best.sum = sum;
+      best.word = candidate.word;
+      best.verdict = verdict;
+    }
+  }
+  return best;
+}
+
+// What is left unsaid by sectors of which so many may be wrong, bits: the logarithm of the number of such errors.
+double bitsOfErrors(unsigned int sectors, unsigned int errors)
+{
+  double ways = 1.;
+  double patterns = 1.;
+  for (unsigned int i = 1; i <= errors; ++i) {
+    ways *= static_cast<double>(sectors + 1 - i) / i;
+    patterns += ways;
+  }
+  return std::log2(patterns);
 }
 } // namespace
 
@@ -155,75 +220,29 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &p
                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings)
 {
   const CyclicCode &code = codeOf(family);
-  std::array<double, mostSectors> soft{};
-  CyclicCode::Word word = 0;
-  for (unsigned int k = 0; k < reading.sectors; ++k) {
-    soft[k] = reading.seen[k] * reading.soft[k];
-    word = (word << 1) | (reading.soft[k] > 0. ? 1U : 0U);
-  }
-  // The codewords that agree best with what is seen, the best first.
-  struct Candidate
-  {
-    CyclicCode::Word word = 0;
-    float score = -HUGE_VALF;
-  };
-  std::array<Candidate, mostCandidates> candidates;
-  const Scores scores(soft, reading.sectors);
-  code.forEachCodeword([&](CyclicCode::Word codeword) {
-    const float score = scores.of(codeword);
-    if (score > candidates.back().score) {
-      std::size_t place = candidates.size() - 1;
-      for (; place > 0 && candidates[place - 1].score < score; --place) {
-        candidates[place] = candidates[place - 1];
-      }
-      candidates[place] = {codeword, score};
-    }
-  });
-  CyclicCode::Word best = 0;
-  CodewordVerdict verdict;
-  double bestSum = -HUGE_VAL;
-  double nextSum = -HUGE_VAL;
-  double phase = reading.phase;
-  for (int look = 0; look < 2; ++look) { // again when the best one has told the phase
-    bestSum = -HUGE_VAL;
-    nextSum = -HUGE_VAL;
-    for (const Candidate &candidate : candidates) {
-      const CodewordVerdict here = pixels.judge(candidate.word);
-      const double sum = static_cast<double>(here.confirmed) - here.contradicted;
-      nextSum = std::max(nextSum, std::min(sum, bestSum));
-      if (sum > bestSum) {
-        bestSum = sum;
-        best = candidate.word;
-        verdict = here;
-      }
-    }
-    if (look == 0) {
-      phase = pixels.improvePhase(best);
-    }
-  }
-  const auto identity = code.identify(best);
+  const Candidates candidates = likeliestWords(reading, code);
+  BestWord best = bestOf(candidates, pixels);
+  const double phase = pixels.improvePhase(best.word);
+  best = bestOf(candidates, pixels);
+  const auto identity = code.identify(best.word);
   if (!identity) {
     return vpCircleMarkerReject::NO_CODEWORD;
   }
+  const unsigned int told = best.verdict.confirmed + best.verdict.contradicted;
   CodeReading result;
   result.id = identity->id;
-  result.hamming = verdict.contradicted;
-  result.margin = static_cast<double>(verdict.confirmed) / reading.sectors;
+  result.hamming = best.verdict.contradicted;
+  result.margin = best.sum / std::max(told, 1U);
   result.spin = phase + 2. * M_PI * identity->rotation / reading.sectors;
-  const unsigned int redundancy = pixels.hasCoverLikePrint() ? leastRedundancyInDoubt : leastRedundancy;
-  // Bits by which what is read exceeds what would fit some codeword with so many errors by chance.
-  const unsigned int told = verdict.confirmed + verdict.contradicted;
-  double ways = 1.;
-  double patterns = 1.;
-  for (unsigned int i = 1; i <= verdict.contradicted; ++i) {
-    ways *= static_cast<double>(told + 1 - i) / i;
-    patterns += ways;
-  }
-  const double bits = static_cast<double>(told) - code.getDimension() - std::log2(patterns);
-  if (bits < redundancy) {
+  const double redundancy = pixels.hasCoverLikePrint() ? leastRedundancyInDoubt : leastRedundancy;
+  if (told - bitsOfErrors(told, result.hamming) < code.getDimension() + redundancy) {
     return {vpCircleMarkerReject::NO_SECTORS, result};
   }
-  if (verdict.contradicted > settings.maximumHamming || bestSum < nextSum + 2. * (1. + verdict.contradicted)) {
+  // Each sector in which two words differ tells them apart by two; each that contradicts the best one may be two.
+  const double ahead = best.sum - best.nextSum;
+  const double corrected = static_cast<double>(result.hamming) / code.getCapacity();
+  if (result.hamming > settings.maximumHamming || ahead < 2. * (1. + result.hamming) ||
+      result.margin < settings.minimumMargin + marginOfCapacity * corrected) {
     return {vpCircleMarkerReject::LOW_MARGIN, result};
   }
   return result;

@@ -50,8 +50,9 @@ Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerF
 */
 std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCircleMarkerFamily &family);
 /*!
-  The same for a reading of which a part is not seen: the codeword that agrees best with what is, if no other comes near
-  it. All codewords are tried.
+  The marker of which a part is not seen. Of all codewords those that agree best with the reading are compared with the
+  pixels of the track: the one that they confirm most is taken, if few contradict it, if no other comes near it, and if
+  more is told than the message takes, by at least one bit after what the errors leave unsaid.
 */
 Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &pixels,
                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings);
