@@ -60,6 +60,7 @@ std::vector<Eigen::Vector2d> corners(Random &random, const std::string &shape, d
   return points;
 }
 
+// Of 60 frames 58 to 60 are found. One that is found 97 times in 100 is lost more than 6 times in 0.3 % of all runs.
 class DetectorOcclusion : public testing::TestWithParam<Floor>
 {
 };
@@ -101,14 +102,14 @@ TEST_P(DetectorOcclusion, MarkersAreFoundAndRightlyReadOrNotAtAll)
 }
 
 INSTANTIATE_TEST_SUITE_P(Floors, DetectorOcclusion,
-                         testing::Values(Floor{vpCircleMarkerFamily::GOLAY23, "halfplane", 0.2, 0},
-                                         Floor{vpCircleMarkerFamily::GOLAY23, "halfplane", 0.3, 0},
-                                         Floor{vpCircleMarkerFamily::GOLAY23, "bar", 0.15, 0},
-                                         Floor{vpCircleMarkerFamily::GOLAY23, "blob", 0.4, 0},
-                                         Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.3, 0},
-                                         Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.4, 0},
-                                         Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 0},
-                                         Floor{vpCircleMarkerFamily::BCH31R, "blob", 0.5, 0}),
+                         testing::Values(Floor{vpCircleMarkerFamily::GOLAY23, "halfplane", 0.2, 54},
+                                         Floor{vpCircleMarkerFamily::GOLAY23, "halfplane", 0.3, 54},
+                                         Floor{vpCircleMarkerFamily::GOLAY23, "bar", 0.15, 54},
+                                         Floor{vpCircleMarkerFamily::GOLAY23, "blob", 0.4, 54},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.3, 54},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.4, 54},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 54},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "blob", 0.5, 54}),
                          [](const auto &info) {
                            return vpCircleMarkerFamily(info.param.family).getName() + "_" + info.param.shape + "_" +
                                   std::to_string(static_cast<int>(100. * info.param.share));

@@ -61,10 +61,19 @@ constexpr double leastStep = 1. / 200.;
 constexpr double enoughPixels = 3000.;
 } // namespace
 
+// Memory of the thread, used again from marker to marker.
+template <class Item> std::vector<Item> &TrackPixels::memory()
+{
+  static thread_local std::vector<Item> items;
+  items.clear();
+  return items;
+}
+
 TrackPixels::TrackPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring,
                          const vpCircleMarkerFamily &family)
     : m_layout(family.getLayout()), m_sectors(family.getNbSectors()),
-      m_noise(ring.noise / (ring.contrast * ring.light)), m_slack(modelError + mostOfNoise * m_noise)
+      m_noise(ring.noise / (ring.contrast * ring.light)), m_slack(modelError + mostOfNoise * m_noise),
+      m_pixels(memory<Pixel>()), m_placed(memory<Placed>())
 {
   collect(I, camera, ring);
   findCover();

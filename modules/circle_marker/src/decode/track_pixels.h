@@ -55,6 +55,9 @@ struct CodewordVerdict
 /*!
   At the pose of a measured ring each pixel of the code track has the grey level that its sectors give it through the
   blur, to a hundredth of the contrast and the noise; or something covers it.
+
+  The pixels are kept in memory of the thread, so that none is allocated for the next marker: only one object at a time
+  may be used in a thread.
 */
 class TrackPixels
 {
@@ -121,6 +124,7 @@ private:
   };
   using Tallies = std::array<Tally, mostSectors>;
 
+  template <class Item> static std::vector<Item> &memory();
   void collect(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring);
   void findCover();
   Tallies count(const Kinds &kinds) const;
@@ -135,7 +139,7 @@ private:
   const double m_noise; //!< Standard deviation, share of the contrast.
   const double m_slack; //!< What a pixel's level may be off.
   bool m_hasLikePrint = false;
-  std::vector<Pixel> m_pixels;
+  std::vector<Pixel> &m_pixels;
   std::vector<Placed> m_placed;               //!< Those that show one sector alone.
   double m_phase = 0.;                        //!< Of the grid of sectors, rad.
   std::array<bool, mostSamples> m_inkCover;   //!< By parts of sectors: whether something there is like ink.
