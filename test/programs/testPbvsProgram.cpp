@@ -120,10 +120,10 @@ TEST(PbvsProgram, BothConvergesWithEachCoveredForAPartOfTheWay)
 
 TEST(PbvsProgram, MarkerTooFarAwayIsAClearFailure)
 {
-  // 0.12 m at 20 m are 10 pixels: no code can be read.
+  // 0.12 m at 60 m are 3 pixels: no code can be read.
   const fs::path folder = test::emptyFolder();
   const test::Outcome outcome =
-      test::run(PBVS_PROGRAM, {"--detector", "circle", "--display-off", "--output", ".", "--distance", "20"}, folder);
+      test::run(PBVS_PROGRAM, {"--detector", "circle", "--display-off", "--output", ".", "--distance", "60"}, folder);
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.out.find("no marker was seen"), std::string::npos) << outcome.out;
   for (const Row &step : rowsOf(folder / "servo.csv")) {

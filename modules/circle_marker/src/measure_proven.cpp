@@ -18,18 +18,24 @@
 #include "measure_proven.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "refine/code_likelihood.h"
+#include "support/bilinear.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
 // Sectors that are longer than this at the track's middle, along the image's shorter axis, pixels, are read one by one
 // without doubt: the blur leaves their middle alone.
-constexpr double longSector = 3.5;
+constexpr double longSector = 1.6;
 // Those shorter than this are often not read for certain.
-constexpr double shortSector = 2.;
+constexpr double shortSector = 1.3;
+// With a code that is not certain the ring alone must fit by this correlation, as it was found and when it is measured,
+// or no code will do.
+constexpr double leastCorrelationAtStart = 0.7;
+constexpr double leastCorrelationMeasured = 0.9;
 // Least odds against the next codeword, ln: one in 10^5 is wrong, if the pose is right.
 constexpr double leastOdds = 12.;
 // Residuals of the best codeword, in units of what noise and model leave.
@@ -40,8 +46,10 @@ constexpr double oddsAtAnyPose = 30.;
 constexpr double mostNoise = 1.3;
 constexpr double rounding = 0.29; // noise of an image without any, grey levels
 constexpr double mostLacking = 0.006;
-// What is no marker has letters or dots around it that are no ring: true markers correlate by 0.98 even in noise of a
-// twelfth of the contrast, letters by up to 0.95.
+// What is no marker, letters, rings of dots, a castle's window, may be near a codeword, but it is not what is printed:
+// it leaves 4 % of its contrast and more besides noise, and correlates by less than 0.98. True markers do by that in
+// noise of a twelfth of the contrast.
+constexpr double mostUnlike = 0.03;
 constexpr double leastCorrelation = 0.97;
 // How often another code is measured: the first was read at a pose that the code did not yet help to measure.
 constexpr int mostRounds = 3;
@@ -53,13 +61,40 @@ double sectorLength(const EllipseParameters &outline, const vpCircleMarkerFamily
   return M_PI * (layout.codeInner + layout.codeOuter) * outline.b / family.getNbSectors();
 }
 
+// Whether there is a dark ring within something brighter, in all directions but two. It is looked at where a small ring
+// is, whose outline is found up to a tenth of the radius too far out, and a larger one, which is found where it is.
+bool hasRing(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane)
+{
+  constexpr std::size_t directions = 24;
+  constexpr std::size_t left = 2;
+  constexpr double paperRadius = 1.04;
+  constexpr double ringRadius = 0.85;
+  constexpr double leastStep = 0.3; // of the usual one
+  std::array<double, directions> steps;
+  for (std::size_t i = 0; i < directions; ++i) {
+    const double angle = 2. * M_PI * static_cast<double>(i) / directions;
+    const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
+    const auto paper = bilinear(I, camera.toPixel(plane.project(paperRadius * out)));
+    const auto ring = bilinear(I, camera.toPixel(plane.project(ringRadius * out)));
+    if (!paper || !ring) {
+      return false;
+    }
+    steps[i] = *paper - *ring;
+  }
+  std::sort(steps.begin(), steps.end());
+  const double usual = steps[directions / 2];
+  return usual > 0. && steps[left] > leastStep * usual;
+}
+
 // Whether a marker's likeliest code is beyond doubt.
 bool isProven(const LikelyCode &code, const FittedPose &fit, double noise, bool isCertain)
 {
   const double contrast = fit.photometry.light * fit.photometry.contrast;
-  const double most = mostNoise * std::max(noise, rounding) + mostLacking * contrast;
-  return code.odds > leastOdds && code.unexplained < mostUnexplained &&
-         (code.odds > oddsAtAnyPose || fit.noise < most) && (isCertain || fit.correlation > leastCorrelation);
+  const double noiseAlone = mostNoise * std::max(noise, rounding);
+  const bool isLikely = code.odds > leastOdds && code.unexplained < mostUnexplained;
+  const bool isRightPose = code.odds > oddsAtAnyPose || fit.noise < noiseAlone + mostLacking * contrast;
+  const bool isPrint = fit.noise < noiseAlone + mostUnlike * contrast && fit.correlation > leastCorrelation;
+  return isLikely && isRightPose && (isCertain || isPrint);
 }
 
 // Sets another code, at the measured poses.
@@ -90,10 +125,22 @@ bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily
 std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
                                          Recognition &marker, MeasureMemory &memory)
 {
+  if (!marker.isCertain) {
+    if (!hasRing(I, camera, marker.poses[0])) {
+      return std::nullopt;
+    }
+    const auto start = measure(I, camera, marker, false, memory);
+    if (!start || start->first.correlation < leastCorrelationAtStart) {
+      return std::nullopt;
+    }
+  }
   for (int round = 0; round < mostRounds; ++round) {
     const ImageFrame frame = frameOf(marker.poses[0], camera);
     auto measurement = measure(I, camera, marker, true, memory);
     if (!measurement) {
+      return std::nullopt;
+    }
+    if (!marker.isCertain && measurement->first.correlation < leastCorrelationMeasured) {
       return std::nullopt;
     }
     const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family);

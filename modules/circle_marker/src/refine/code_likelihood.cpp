@@ -48,29 +48,19 @@ constexpr double sameSpin = 0.75;
 
 constexpr double fullTurn = 2. * M_PI;
 
-/*! What a pixel of the track sees. */
-struct TrackPixel
-{
-  PlanePoint point;
-  double black; // that is not explained by the ring: 0 for white, 1 for ink
-};
-
-/*! Pixels of the track, and how large the noise is on their black. */
-struct Track
-{
-  std::vector<TrackPixel> pixels;
-  double noise = 0.;
-};
-
-// An edge at a place: the standardised distance, positive on the side that is asked for, and the gradient of the place
-// in the image, in coordinates in which the blur is 1.
+// An edge at a place: the standardised distance, positive on the side that is asked for, the share of that side and its
+// density, and the gradient of the place in the image, in coordinates in which the blur is 1.
 struct Edge
 {
-  double distance;
-  Eigen::Vector2d gradient; // of unit length
+  Edge(double standardised, const Eigen::Vector2d &across) : distance(standardised), gradient(across)
+  {
+    const auto normal = NormalDistribution::instance().at(standardised);
+    share = normal.cumulative;
+    density = normal.density;
+  }
 
-  double share() const { return NormalDistribution::instance().at(distance).cumulative; }
-  double density() const { return NormalDistribution::instance().at(distance).density; }
+  double distance, share, density;
+  Eigen::Vector2d gradient; // of unit length
 };
 
 // The side of a circle about the centre that is nearer to it. Its curvature takes from what is inside: image_model.h.
@@ -95,28 +85,43 @@ Edge beyondBorder(double angle, const PlanePoint &point)
 double together(const Edge &a, const Edge &b)
 {
   const double rho = a.gradient.dot(b.gradient);
-  return a.density() * b.density() * rho * (1. + 0.5 * rho * a.distance * b.distance);
+  return a.density * b.density * rho * (1. + 0.5 * rho * a.distance * b.distance);
 }
 
 /*! The rims of the track at a pixel. */
 struct Rims
 {
   Edge outer, inner;
-  double band;
+};
+
+/*! What a pixel of the track sees. */
+struct TrackPixel
+{
+  PlanePoint point;
+  Rims rims;
+  double black; // that is not explained by the ring: 0 for white, 1 for ink
+};
+
+/*! Pixels of the track, and how large the noise is on their black. */
+struct Track
+{
+  std::vector<TrackPixel> pixels;
+  double noise = 0.;
 };
 
 // Share of the pixel that lies in the track beyond a border.
 double beyond(double angle, const Rims &rims, const PlanePoint &point)
 {
   const Edge border = beyondBorder(angle, point);
-  return rims.band * border.share() + together(rims.outer, border) - together(rims.inner, border);
+  return (rims.outer.share - rims.inner.share) * border.share + together(rims.outer, border) -
+         together(rims.inner, border);
 }
 
 // Black of the ring that a pixel sees.
 double ringAt(const vpCircleMarkerLayout &layout, const PlanePoint &point)
 {
-  const double inner = layout.ringInner > 0. ? insideOf(layout.ringInner, point).share() : 0.;
-  return insideOf(1., point).share() - inner;
+  const double inner = layout.ringInner > 0. ? insideOf(layout.ringInner, point).share : 0.;
+  return insideOf(1., point).share - inner;
 }
 
 // Nothing if the track leaves the image or the light is not known.
@@ -150,7 +155,8 @@ std::optional<Track> trackOf(const vpImage<unsigned char> &I, const CameraModel 
       const Eigen::Vector2d p(u, v);
       PlanePoint point = planePoint({camera.toMeter(p), camera.meterPerPixel(p)}, fit.plane);
       point.byPixel = point.byPixel * blur;
-      if (insideOf(layout.codeOuter, point).distance < -around || insideOf(layout.codeInner, point).distance > around) {
+      const Rims rims = {insideOf(layout.codeOuter, point), insideOf(layout.codeInner, point)};
+      if (rims.outer.distance < -around || rims.inner.distance > around) {
         continue;
       }
       const Eigen::Vector2d offset = (p - frame.center) / frame.size;
@@ -160,7 +166,7 @@ std::optional<Track> trackOf(const vpImage<unsigned char> &I, const CameraModel 
         return std::nullopt;
       }
       const double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
-      track.pixels.push_back({point, (light - grey) / contrast - ringAt(layout, point)});
+      track.pixels.push_back({point, rims, (light - grey) / contrast - ringAt(layout, point)});
       squaredContrast += contrast * contrast;
     }
   }
@@ -193,17 +199,12 @@ Squares squaresOf(const Track &track, const vpCircleMarkerLayout &layout, int se
   std::array<double, 2 * mostReach + 1> weights;
   for (const TrackPixel &pixel : track.pixels) {
     const PlanePoint &point = pixel.point;
-    const Rims rims = [&] {
-      const Edge outer = insideOf(layout.codeOuter, point);
-      const Edge inner = insideOf(layout.codeInner, point);
-      return Rims{outer, inner, outer.share() - inner.share()};
-    }();
     const double angle = std::atan2(point.q.y(), point.q.x()) - start;
     const int own = static_cast<int>(std::floor(angle / pitch));
     const double blur = point.byPixel.norm() / std::max(point.q.norm(), layout.codeInner); // rad, at most
     const int wide = std::clamp(static_cast<int>(std::ceil(reach * blur / pitch)), 1, mostReach);
     for (int k = 0; k <= 2 * wide + 1; ++k) {
-      shares[static_cast<std::size_t>(k)] = beyond(start + (own - wide + k) * pitch, rims, point);
+      shares[static_cast<std::size_t>(k)] = beyond(start + (own - wide + k) * pitch, pixel.rims, point);
     }
     const int count = 2 * wide + 1;
     for (int k = 0; k < count; ++k) {

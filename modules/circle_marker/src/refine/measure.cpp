@@ -27,6 +27,7 @@
 #include "refine/few_pixels.h"
 #include "refine/shadow.h"
 #include "refine/surround.h"
+#include "support/few.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -111,7 +112,7 @@ double meterPerPixelAt(const MarkerPlane &plane, const CameraModel &camera)
 
 // Where to start from: the two poses of the outline; or, if it is too round to show its tilt, four directions of tilt.
 // Facing the camera is a saddle of the likelihood, from which no descent leads away.
-std::vector<FitStart> startsOf(const PosePair &poses, const CameraModel &camera, bool spinIsKnown)
+Few<FitStart> startsOf(const PosePair &poses, const CameraModel &camera, bool spinIsKnown)
 {
   const MarkerPlane &plane = poses[0];
   const Eigen::Vector3d sight = plane.center.normalized();
@@ -123,12 +124,15 @@ std::vector<FitStart> startsOf(const PosePair &poses, const CameraModel &camera,
     if (!spinIsKnown) {
       copySpin(poses[0], second);
     }
-    return {{poses[0], std::nullopt, std::nullopt}, {second, std::nullopt, std::nullopt}};
+    Few<FitStart> two;
+    two.push_back({poses[0], std::nullopt, std::nullopt});
+    two.push_back({second, std::nullopt, std::nullopt});
+    return two;
   }
   const Eigen::Vector3d first = plane.rotation.col(0) - plane.rotation.col(0).dot(sight) * sight;
   const Eigen::Vector3d across = first.normalized();
   const Eigen::Vector3d along = sight.cross(across);
-  std::vector<FitStart> starts;
+  Few<FitStart> starts;
   for (const Eigen::Vector3d &direction : {across, Eigen::Vector3d(-across), along, Eigen::Vector3d(-along)}) {
     const Eigen::Vector3d normal = std::cos(leastTilt) * sight + std::sin(leastTilt) * direction;
     starts.push_back({turnedTo(plane, normal), std::nullopt, std::nullopt});
@@ -137,9 +141,9 @@ std::vector<FitStart> startsOf(const PosePair &poses, const CameraModel &camera,
 }
 
 // Keeps the best pose and the best of those that are not the same as it.
-void keepTwo(std::vector<FittedPose> &ranked)
+void keepTwo(Few<FittedPose> &ranked)
 {
-  std::vector<FittedPose> kept;
+  Few<FittedPose> kept;
   for (const FittedPose &fit : ranked) {
     if (kept.empty() || (kept.size() < 2 && !isSamePose(kept[0], fit))) {
       kept.push_back(fit);
@@ -149,10 +153,10 @@ void keepTwo(std::vector<FittedPose> &ranked)
 }
 
 // Fits every start on the pixels; those that lead nowhere are left out.
-std::vector<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const std::vector<FitStart> &starts,
-                               const MarkerPattern &pattern, const FitSettings &settings, Fitter &fitter)
+Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> &starts, const MarkerPattern &pattern,
+                       const FitSettings &settings, Fitter &fitter)
 {
-  std::vector<FittedPose> fits;
+  Few<FittedPose> fits;
   for (const FitStart &start : starts) {
     if (const auto fit = fitter.fitPose(pixels, start, pattern, settings)) {
       fits.push_back(*fit);
@@ -162,8 +166,8 @@ std::vector<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const std::v
 }
 
 // Puts the fit that explains the pixels best first; all are judged by the noise of the best. Returns that noise.
-double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, bool exactBends,
-            std::vector<FittedPose> &fits, Fitter &fitter)
+double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, bool exactBends, Few<FittedPose> &fits,
+            Fitter &fitter)
 {
   const auto best = std::min_element(fits.begin(), fits.end(),
                                      [](const FittedPose &p, const FittedPose &q) { return p.noise < q.noise; });
@@ -211,7 +215,7 @@ void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
 // Fits on the same pixels, the best first, and its noise.
 struct RankedFits
 {
-  std::vector<FittedPose> fits;
+  Few<FittedPose> fits;
   double noise = 0.;
 };
 
@@ -222,13 +226,16 @@ RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &came
                         MeasureMemory &memory)
 {
   RankedFits ranked;
-  std::vector<MarkerPlane> around(marker.poses.begin(), marker.poses.end());
-  std::vector<FitStart> starts = startsOf(marker.poses, camera, settings.spinIsKnown);
+  Few<MarkerPlane> around;
+  for (const MarkerPlane &pose : marker.poses) {
+    around.push_back(pose);
+  }
+  Few<FitStart> starts = startsOf(marker.poses, camera, settings.spinIsKnown);
   BlurParameters blur; // of a sharp picture
   for (int look = 0; look < mostLooks; ++look) {
     selectFewPixels(I, camera, frame, around.data(), around.size(), pattern, blur, memory.pixels);
     dropCovered(marker, memory.pixels);
-    std::vector<FittedPose> fits = fitAll(memory.pixels, starts, pattern, settings, *memory.fitter);
+    Few<FittedPose> fits = fitAll(memory.pixels, starts, pattern, settings, *memory.fitter);
     if (fits.empty()) {
       break;
     }
@@ -252,10 +259,11 @@ RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &came
     starts.clear();
     for (const FittedPose &fit : fits) {
       around.push_back(fit.plane);
-      starts.push_back({fit.plane, std::nullopt, std::nullopt});
+      std::optional<Photometry> light;
       if (isWide || !isSettled) {
-        starts.back().photometry = isSettled ? fit.photometry : fits[0].photometry;
+        light = isSettled ? fit.photometry : fits[0].photometry;
       }
+      starts.push_back({fit.plane, light, std::nullopt});
     }
   }
   return ranked;
@@ -300,7 +308,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
     few = fitFewPixels(I, camera, frame, marker, pattern, coarse, memory);
   }
-  std::vector<FittedPose> &fits = few.fits;
+  Few<FittedPose> &fits = few.fits;
   double noise = few.noise;
   if (fits.empty()) {
     return std::nullopt;
@@ -323,7 +331,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     }
     memory.fitter->selectPixels(I, camera, frame, planes.data(), fits.size(), pattern, blur, manyPixels, memory.pixels);
     dropCovered(marker, memory.pixels);
-    std::vector<FitStart> starts;
+    Few<FitStart> starts;
     for (const FittedPose &fit : fits) {
       starts.push_back({fit.plane, fit.photometry, noise});
     }
