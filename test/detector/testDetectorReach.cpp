@@ -15,6 +15,8 @@
  * The smallest rings that the detector promises to find.
  */
 
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "detector_scenes.h"
@@ -99,4 +101,39 @@ TEST(DetectorReach, LongCodesWhoseSectorsAreAsSmallAsTheBlur)
 TEST(DetectorReach, CodesOnGreyGround)
 {
   expectReach({vpCircleMarkerFamily::GOLAY23, 13., 17., 1.1, 80., 160., 0.97});
+}
+
+// Each id has a size of its own; a first reading of so small a code is often another's.
+TEST(DetectorReach, SmallMarkersHaveTheSizeOfTheirId)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const auto sizeOfId = [](int id) { return 0.1 + 0.001 * id; };
+  std::map<int, double> sizes;
+  for (int id = 0; id < static_cast<int>(family.getNbIds()); ++id) {
+    sizes[id] = sizeOfId(id);
+  }
+  vpDetectorCircleMarker detector(family);
+  detector.setMarkerSizes(sizes);
+  detector.setZAlignedWithCameraAxis(true);
+  unsigned int found = 0;
+  for (int image = 0; image < 30; ++image) {
+    const int id = randomId(random, family);
+    const double diameter = uniform(random, 10., 13.) / sizeOfId(id) * size; // randomPose() has the usual size
+    const vpHomogeneousMatrix cMo = randomPose(random, diameter, uniform(random, 0., 0.4));
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    simulator.setBackground(vpSceneBackground::plain(220.));
+    vpSimulatedMarker marker = printed(family, id, sizeOfId(id));
+    simulator.addMarker(marker.setPose(cMo));
+    vpImage<unsigned char> I;
+    simulator.render(I, random());
+    std::vector<vpHomogeneousMatrix> poses;
+    detector.detect(I, size, straightCamera(), poses);
+    for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
+      ++found;
+      EXPECT_EQ(id, detection.id);
+      EXPECT_NEAR(cMo[2][3], detection.cMo[2][3], 0.05 * cMo[2][3]);
+    }
+  }
+  EXPECT_GE(found, 25u);
 }

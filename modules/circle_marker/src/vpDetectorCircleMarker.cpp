@@ -79,6 +79,15 @@ void scaleTo(double size, PosePair &poses)
     plane.radius = 0.5 * size;
   }
 }
+
+void scaleTo(double size, FittedPose &fit)
+{
+  const double scale = 0.5 * size / fit.plane.radius;
+  fit.plane.center *= scale;
+  fit.plane.radius = 0.5 * size;
+  fit.covariance.topRows<3>() *= scale;
+  fit.covariance.leftCols<3>() *= scale;
+}
 } // namespace
 
 /*!
@@ -275,14 +284,7 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
     }
   }
   if (examination.marker) {
-    const vpCircleMarkerEntry *entry = database.find(examination.marker->family, examination.marker->code.id);
-    const auto known = settings.sizes.find(examination.marker->code.id);
-    if (entry != nullptr) {
-      scaleTo(entry->size, examination.marker->poses);
-    }
-    else if (known != settings.sizes.end()) {
-      scaleTo(known->second, examination.marker->poses);
-    }
+    scaleTo(sizeOf(*examination.marker, visit.size), examination.marker->poses);
   }
   examination.isRead = true;
   examination.isOver = !examination.marker;
@@ -304,6 +306,14 @@ void vpDetectorCircleMarker::Impl::readWhole(const Visit &visit, const EllipseCa
   }
 }
 
+/*! Outer diameter of a marker, metres: as the database has it, or setMarkerSizes(), or detect(). */
+double vpDetectorCircleMarker::Impl::sizeOf(const Recognition &marker, double usual) const
+{
+  const vpCircleMarkerEntry *entry = database.find(marker.family, marker.code.id);
+  const auto known = settings.sizes.find(marker.code.id);
+  return entry != nullptr ? entry->size : known != settings.sizes.end() ? known->second : usual;
+}
+
 /*! A marker through the room refine. */
 std::optional<vpDetectorCircleMarker::Impl::Found>
 vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline, Recognition marker,
@@ -311,13 +321,19 @@ vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCan
 {
   const bool isProofWanted =
       settings.refinePose && !marker.seen && !marker.blurred && wantsProof(outline.ellipse, marker.family);
-  const auto measurement =
+  auto measurement =
       isProofWanted
           ? measureProven(visit.I, visit.camera, m_outlines.full.gradient.noise, marker, bench.measuring)
           : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring));
   if (!measurement ||
       (settings.refinePose && !isProofWanted && !explainsCorrections(visit.I, visit.camera, marker, *measurement))) {
     return std::nullopt;
+  }
+  if (isProofWanted) { // it may be another marker than was read
+    scaleTo(sizeOf(marker, visit.size), measurement->first);
+    if (measurement->second) {
+      scaleTo(sizeOf(marker, visit.size), *measurement->second);
+    }
   }
   const double visible = marker.seen ? marker.seen->share() : outline.support;
   vpCircleMarkerDetection detection =

@@ -116,6 +116,7 @@ private:
   void readWhole(const Visit &visit, const circle_marker::EllipseCandidate &outline,
                  const circle_marker::PosePair &poses, const vpCircleMarkerFamily &family,
                  Examination &examination) const;
+  double sizeOf(const circle_marker::Recognition &marker, double usual) const;
   std::optional<Found> measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
                                      circle_marker::Recognition marker, Bench &bench) const;
   void keepSeen(const Outlines &outlines);
