@@ -260,6 +260,9 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   if (!poses && keepsDebug) {
     examination.candidates.push_back(candidateOf(outline, settings.families.front(), vpCircleMarkerReject::NO_POSE));
   }
+  // Who asks for more certainty than by default, or forbids corrections, gets what is read sector by sector.
+  const bool mayProve = settings.refinePose && settings.decode.maximumHamming > 0 &&
+                        settings.decode.minimumMargin <= DecodeSettings().minimumMargin;
   while (poses && !examination.marker && examination.attempt < m_attempts.size()) {
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
@@ -268,7 +271,7 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
         examination.marker =
             recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, family, settings.decode, bench.measuring);
       }
-      else if (settings.refinePose && mayBeUncertain(outline.ellipse, family)) {
+      else if (mayProve && mayBeUncertain(outline.ellipse, family)) {
         examination.marker = recogniseUncertain(visit.I, visit.camera, *poses, family);
       }
       if (examination.marker && keepsDebug) {

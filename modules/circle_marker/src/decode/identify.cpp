@@ -232,7 +232,7 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &p
   CodeReading result;
   result.id = identity->id;
   result.hamming = best.verdict.contradicted;
-  result.margin = best.sum / std::max(told, 1U);
+  result.margin = best.sum / (told + 2.); // Laplace's rule of succession: a few sectors are not certainty
   result.spin = phase + 2. * M_PI * identity->rotation / reading.sectors;
   const double redundancy = pixels.hasCoverLikePrint() ? leastRedundancyInDoubt : leastRedundancy;
   if (told - bitsOfErrors(told, result.hamming) < code.getDimension() + redundancy) {
