@@ -39,11 +39,10 @@ MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const Camer
 {
   MeasuredRing ring;
   ring.plane = fit.plane;
-  ring.origin = camera.toPixel(start.project(Eigen::Vector2d::Zero()));
+  const ImageFrame frame = frameOf(start, camera);
+  ring.origin = frame.center;
   ring.light = fit.photometry.light;
-  // The light is told over the marker's size, as measure() has it.
-  const double pixels = start.radius / (start.center.z() * camera.meterPerPixel(ring.origin).col(0).norm());
-  ring.slope = fit.photometry.lightGradient / pixels;
+  ring.slope = fit.photometry.lightGradient / frame.size;
   ring.contrast = fit.photometry.contrast;
   ring.blur = fit.photometry.blur.widest();
   ring.noise = fit.noise;
@@ -68,12 +67,12 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
   const bool hasTwin = measurement->second && measurement->cost2 - measurement->cost < hopelessOdds;
   const std::array<MeasuredRing, 2> measured = {first,
                                                 hasTwin ? ringOf(*measurement->second, ring->poses[0], camera) : first};
-  Judged<Recognition> marker = recogniseCovered(I, camera, measured, family, settings);
+  Judged<Recognition> marker = recogniseCovered(I, camera, measured, family, settings, memory.track);
   return marker ? std::optional<Recognition>(std::move(*marker)) : std::nullopt;
 }
 
 bool explainsCorrections(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                         const Measurement &measurement)
+                         const Measurement &measurement, MeasureMemory &memory)
 {
   const bool isAsked = marker.code.hamming > 0 && !marker.seen && !marker.blurred;
   if (!isAsked || measurement.first.photometry.shadow) {
@@ -83,7 +82,7 @@ bool explainsCorrections(const vpImage<unsigned char> &I, const CameraModel &cam
   if (ring.noise > mostNoiseOfCorrected * ring.contrast * ring.light) {
     return false;
   }
-  TrackPixels pixels(I, camera, ring, marker.family);
+  TrackPixels pixels(I, camera, ring, marker.family, memory.track);
   pixels.turnTo(0.);
   const CodewordVerdict verdict = pixels.judge(marker.family.getCodeword(marker.code.id));
   return verdict.explained >= leastExplained * verdict.all;

@@ -60,9 +60,10 @@ enum class ReadingKind
   \param camera : Its camera.
   \param marker : The marker, as it was read.
   \param measurement : Its measured pose.
+  \param memory : Working memory.
 */
 bool explainsCorrections(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                         const Measurement &measurement);
+                         const Measurement &measurement, MeasureMemory &memory);
 
 /*! One of the ways to read an outline. */
 struct Attempt
@@ -74,8 +75,9 @@ struct Attempt
 /*!
   The ways to read an outline, in the order in which they are tried: family by family; where several with a code follow
   each other, as whole markers of all of them, for certain and then not, before as covered ones. What is seen of a
-  covered marker is little enough to be taken for that of another family. \param families : The families that are
-  sought. \param attempts : The result; its memory is used again.
+  covered marker is little enough to be taken for that of another family.
+  \param families : The families that are sought.
+  \param attempts : The result; its memory is used again.
 */
 void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector<Attempt> &attempts);
 } // namespace circle_marker

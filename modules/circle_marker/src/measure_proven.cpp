@@ -102,6 +102,7 @@ void setCode(const LikelyCode &code, const Measurement &measurement, Recognition
 {
   marker.code.id = code.id;
   marker.code.spin = code.spin;
+  marker.code.hamming = 0; // no sector was read one by one, so none was corrected
   marker.poses[0] = measurement.first.plane;
   if (measurement.second) {
     marker.poses[1] = measurement.second->plane;

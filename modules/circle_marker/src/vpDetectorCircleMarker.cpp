@@ -23,12 +23,7 @@
 #include <visp3/core/vpException.h>
 
 #include "detect_covered.h"
-#include "pose/hypotheses.h"
-#include "refine/blurred_measurement.h"
-#include "refine/measure.h"
-#include "refine/report.h"
 #include "debug_record.h"
-#include "measure_proven.h"
 
 BEGIN_VISP_NAMESPACE
 
@@ -37,10 +32,6 @@ using namespace circle_marker;
 namespace {
 // Size of a marker whose size was not told: poses are then in units of its diameter.
 constexpr double unitSize = 1.;
-// Plain rings are promised from a minor axis of 8 pixels on; the smaller the more there is that looks like one. When it
-// is refined, its semi-axis is known to some hundredths of a pixel.
-constexpr double leastRingSemiMinor = 3.8;
-
 void checkImageSize(const vpImage<unsigned char> &I)
 {
   constexpr unsigned int leastSide = 16; // pixels
@@ -69,24 +60,6 @@ std::string messageOf(const vpCircleMarkerDetection &d, const vpCircleMarkerEntr
     message += " payload: " + entry->payload;
   }
   return message;
-}
-
-// The image fixes the poses up to the size: everything scales with it.
-void scaleTo(double size, PosePair &poses)
-{
-  for (MarkerPlane &plane : poses) {
-    plane.center *= 0.5 * size / plane.radius;
-    plane.radius = 0.5 * size;
-  }
-}
-
-void scaleTo(double size, FittedPose &fit)
-{
-  const double scale = 0.5 * size / fit.plane.radius;
-  fit.plane.center *= scale;
-  fit.plane.radius = 0.5 * size;
-  fit.covariance.topRows<3>() *= scale;
-  fit.covariance.leftCols<3>() *= scale;
 }
 } // namespace
 
@@ -250,103 +223,6 @@ void vpDetectorCircleMarker::Impl::readTogether(const Visit &visit, const Outlin
       }
     });
   }
-}
-
-/*! One outline through the rooms pose and decode: the first of the families that remain and that it looks like. */
-void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandidate &outline, Bench &bench,
-                                        Examination &examination) const
-{
-  const auto poses = posesFromOutline(outline.points, visit.camera, 0.5 * visit.size, bench.meters);
-  if (!poses && keepsDebug) {
-    examination.candidates.push_back(candidateOf(outline, settings.families.front(), vpCircleMarkerReject::NO_POSE));
-  }
-  // Who asks for more certainty than by default, or forbids corrections, gets what is read sector by sector.
-  const bool mayProve = settings.refinePose && settings.decode.maximumHamming > 0 &&
-                        settings.decode.minimumMargin <= DecodeSettings().minimumMargin;
-  while (poses && !examination.marker && examination.attempt < m_attempts.size()) {
-    const Attempt &attempt = m_attempts[examination.attempt++];
-    const vpCircleMarkerFamily &family = settings.families[attempt.family];
-    if (attempt.kind != ReadingKind::WHOLE) {
-      if (attempt.kind == ReadingKind::COVERED) {
-        examination.marker =
-            recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, family, settings.decode, bench.measuring);
-      }
-      else if (mayProve && mayBeUncertain(outline.ellipse, family)) {
-        examination.marker = recogniseUncertain(visit.I, visit.camera, *poses, family);
-      }
-      if (examination.marker && keepsDebug) {
-        std::vector<vpCircleMarkerCandidate> &candidates = examination.candidates; // it is none as a whole marker only
-        candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                                        [&](const auto &other) { return other.family.getName() == family.getName(); }),
-                         candidates.end());
-        candidates.push_back(candidateOf(outline, family, vpCircleMarkerReject::NONE));
-      }
-    }
-    else {
-      readWhole(visit, outline, *poses, family, examination);
-    }
-  }
-  if (examination.marker) {
-    scaleTo(sizeOf(*examination.marker, visit.size), examination.marker->poses);
-  }
-  examination.isRead = true;
-  examination.isOver = !examination.marker;
-}
-
-/*! An outline as a marker of a family of which nothing is covered. */
-void vpDetectorCircleMarker::Impl::readWhole(const Visit &visit, const EllipseCandidate &outline, const PosePair &poses,
-                                             const vpCircleMarkerFamily &family, Examination &examination) const
-{
-  ReadingTrace trace;
-  Judged<Recognition> marker = recognise(visit.I, visit.camera, poses, outline, family, settings.decode,
-                                         keepsDebug ? &trace : nullptr, visit.deadline);
-  if (keepsDebug) {
-    examination.candidates.push_back(candidateOf(outline, family, marker.reason()));
-    addReading(trace, family, visit.camera, examination.candidates.back());
-  }
-  if (marker) {
-    examination.marker = std::move(*marker);
-  }
-}
-
-/*! Outer diameter of a marker, metres: as the database has it, or setMarkerSizes(), or detect(). */
-double vpDetectorCircleMarker::Impl::sizeOf(const Recognition &marker, double usual) const
-{
-  const vpCircleMarkerEntry *entry = database.find(marker.family, marker.code.id);
-  const auto known = settings.sizes.find(marker.code.id);
-  return entry != nullptr ? entry->size : known != settings.sizes.end() ? known->second : usual;
-}
-
-/*! A marker through the room refine. */
-std::optional<vpDetectorCircleMarker::Impl::Found>
-vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline, Recognition marker,
-                                            Bench &bench) const
-{
-  const bool isProofWanted =
-      settings.refinePose && !marker.seen && !marker.blurred && wantsProof(outline.ellipse, marker.family);
-  auto measurement =
-      isProofWanted
-          ? measureProven(visit.I, visit.camera, m_outlines.full.gradient.noise, marker, bench.measuring)
-          : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring));
-  if (!measurement ||
-      (settings.refinePose && !isProofWanted && !explainsCorrections(visit.I, visit.camera, marker, *measurement))) {
-    return std::nullopt;
-  }
-  if (isProofWanted) { // it may be another marker than was read
-    scaleTo(sizeOf(marker, visit.size), measurement->first);
-    if (measurement->second) {
-      scaleTo(sizeOf(marker, visit.size), *measurement->second);
-    }
-  }
-  const double visible = marker.seen ? marker.seen->share() : outline.support;
-  vpCircleMarkerDetection detection =
-      reportOf(marker, *measurement, visit.camera, visible, settings.zAlignedWithCameraAxis);
-  if (settings.refinePose && marker.family.getType() == vpCircleMarkerFamily::RING &&
-      detection.ellipse.b < leastRingSemiMinor) {
-    return std::nullopt;
-  }
-  return Found{std::move(detection), marker, outline,
-               outlineOf(marker, measurement->first.plane, visit.camera, polygonPoints)};
 }
 
 /*! The marker of an index; throws vpException::badValue if there is none. */

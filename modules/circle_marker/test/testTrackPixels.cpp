@@ -12,7 +12,6 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Sectors of a code track of which something covers a part.
  * What the pixels of a code track say of its sectors and of a codeword.
  */
 
@@ -66,13 +65,14 @@ MarkerScene scene(Random &random, const vpCircleMarkerFamily &family)
 
 TEST(TrackPixels, ConfirmTheCodewordOfAMarkerThatNothingCovers)
 {
+  TrackMemory memory;
   Random random = randomOfTest();
   for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31R}) {
     const vpCircleMarkerFamily family(type);
     for (int i = 0; i < 10; ++i) {
       const MarkerScene marker = scene(random, family);
-      TrackPixels pixels(photograph(150, 150, lens, marker), CameraModel(marker.camera()), measuredRing(marker),
-                         family);
+      TrackPixels pixels(photograph(150, 150, lens, marker), CameraModel(marker.camera()), measuredRing(marker), family,
+                         memory);
       pixels.turnTo(0.);
       EXPECT_FALSE(pixels.hasCoverLikePrint());
       const CodewordVerdict verdict = pixels.judge(marker.word);
@@ -88,11 +88,13 @@ TEST(TrackPixels, ConfirmTheCodewordOfAMarkerThatNothingCovers)
 
 TEST(TrackPixels, FindThePhase)
 {
+  TrackMemory memory;
   Random random = randomOfTest();
   const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
   for (int i = 0; i < 10; ++i) {
     const MarkerScene marker = scene(random, family);
-    TrackPixels pixels(photograph(150, 150, lens, marker), CameraModel(marker.camera()), measuredRing(marker), family);
+    TrackPixels pixels(photograph(150, 150, lens, marker), CameraModel(marker.camera()), measuredRing(marker), family,
+                       memory);
     const double sector = 2. * M_PI / family.getNbSectors();
     SectorReading reading;
     reading.sectors = family.getNbSectors();
@@ -110,6 +112,7 @@ TEST(TrackPixels, FindThePhase)
 
 TEST(TrackPixels, SayNothingOfSectorsThatSomethingGreyCovers)
 {
+  TrackMemory memory;
   Random random = randomOfTest();
   const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
   constexpr unsigned int hidden = 6;
@@ -117,7 +120,8 @@ TEST(TrackPixels, SayNothingOfSectorsThatSomethingGreyCovers)
     const MarkerScene marker = scene(random, family);
     const double share = uniform(random, 0.1, 0.9); // between ink and paper
     const double grey = marker.black + share * (marker.white - marker.black);
-    TrackPixels pixels(covered(marker, hidden, grey), CameraModel(marker.camera()), measuredRing(marker), family);
+    TrackPixels pixels(covered(marker, hidden, grey), CameraModel(marker.camera()), measuredRing(marker), family,
+                       memory);
     pixels.turnTo(0.);
     const CodewordVerdict verdict = pixels.judge(marker.word);
     EXPECT_EQ(verdict.contradicted, 0U) << "grey " << grey;
@@ -128,13 +132,15 @@ TEST(TrackPixels, SayNothingOfSectorsThatSomethingGreyCovers)
 
 TEST(TrackPixels, DoNotBelieveWhatLooksLikeTheCover)
 {
+  TrackMemory memory;
   Random random = randomOfTest();
   const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
   constexpr unsigned int hidden = 6;
   for (int i = 0; i < 10; ++i) {
     const MarkerScene marker = scene(random, family);
     for (const double grey : {marker.black, marker.white}) {
-      TrackPixels pixels(covered(marker, hidden, grey), CameraModel(marker.camera()), measuredRing(marker), family);
+      TrackPixels pixels(covered(marker, hidden, grey), CameraModel(marker.camera()), measuredRing(marker), family,
+                         memory);
       pixels.turnTo(0.);
       EXPECT_TRUE(pixels.hasCoverLikePrint());
       const CodewordVerdict verdict = pixels.judge(marker.word);

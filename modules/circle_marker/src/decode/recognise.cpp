@@ -247,7 +247,7 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
 
 Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
                                      const std::array<MeasuredRing, 2> &rings, const vpCircleMarkerFamily &family,
-                                     const DecodeSettings &settings)
+                                     const DecodeSettings &settings, TrackMemory &memory)
 {
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_RING, vpCircleMarkerReject::NO_RING};
   std::array<std::optional<SeenParts>, 2> seen;
@@ -257,7 +257,7 @@ Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const Came
       continue;
     }
     seen[i] = reading->seen;
-    TrackPixels pixels(I, camera, rings[i], family);
+    TrackPixels pixels(I, camera, rings[i], family, memory);
     pixels.improve(reading->sectors);
     codes[i] = identifyCovered(reading->sectors, pixels, family, settings);
   }

@@ -92,10 +92,11 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   \param rings : Both poses of its ring, measured.
   \param family : The family.
   \param settings : How strictly a code is read.
+  \param memory : Working memory.
 */
 Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
                                      const std::array<MeasuredRing, 2> &rings, const vpCircleMarkerFamily &family,
-                                     const DecodeSettings &settings);
+                                     const DecodeSettings &settings, TrackMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -12,7 +12,6 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Sectors of a code track of which something covers a part.
  * Pixels of a code track at a measured pose, and what they say of its sectors and of a codeword.
  */
 
@@ -61,19 +60,11 @@ constexpr double leastStep = 1. / 200.;
 constexpr double enoughPixels = 3000.;
 } // namespace
 
-// Memory of the thread, used again from marker to marker.
-template <class Item> std::vector<Item> &TrackPixels::memory()
-{
-  static thread_local std::vector<Item> items;
-  items.clear();
-  return items;
-}
-
 TrackPixels::TrackPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring,
-                         const vpCircleMarkerFamily &family)
+                         const vpCircleMarkerFamily &family, TrackMemory &memory)
     : m_layout(family.getLayout()), m_sectors(family.getNbSectors()),
       m_noise(ring.noise / (ring.contrast * ring.light)), m_slack(modelError + mostOfNoise * m_noise),
-      m_pixels(memory<Pixel>()), m_placed(memory<Placed>())
+      m_pixels(memory.pixels), m_placed(memory.placed)
 {
   collect(I, camera, ring);
   findCover();
@@ -81,6 +72,7 @@ TrackPixels::TrackPixels(const vpImage<unsigned char> &I, const CameraModel &cam
 
 void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring)
 {
+  m_pixels.clear();
   Eigen::Vector2d least = camera.toPixel(ring.plane.project(Eigen::Vector2d::Zero()));
   Eigen::Vector2d most = least;
   constexpr int directions = 32;

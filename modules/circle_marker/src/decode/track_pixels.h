@@ -12,7 +12,6 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Sectors of a code track of which something covers a part.
  * Pixels of a code track at a measured pose, and what they say of its sectors and of a codeword.
  */
 
@@ -52,41 +51,9 @@ struct CodewordVerdict
   double explained = 0.;         //!< Those of them that are what the codeword makes them.
 };
 
-/*!
-  At the pose of a measured ring each pixel of the code track has the grey level that its sectors give it through the
-  blur, to a hundredth of the contrast and the noise; or something covers it.
-
-  The pixels are kept in memory of the thread, so that none is allocated for the next marker: only one object at a time
-  may be used in a thread.
-*/
-class TrackPixels
+/*! Working memory of TrackPixels, used again from one marker to the next. */
+struct TrackMemory
 {
-public:
-  /*!
-    \param I : The image.
-    \param camera : Its camera.
-    \param ring : The ring.
-    \param family : The family.
-  */
-  TrackPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring,
-              const vpCircleMarkerFamily &family);
-
-  /*! Whether what covers the marker is, where the print is known, as dark as ink or as bright as paper. */
-  bool hasCoverLikePrint() const { return m_hasLikePrint; }
-
-  /*! Adds to a reading what the pixels tell of the sectors, and improves its phase. */
-  void improve(SectorReading &reading);
-
-  /*! Sets the angle at which the first sector starts, rad. */
-  void turnTo(double phase);
-
-  /*! Improves that angle by a codeword. \return The angle, rad. */
-  double improvePhase(CyclicCode::Word word);
-
-  /*! Judges a codeword: it gives all sectors, so that what each pixel should be is known. */
-  CodewordVerdict judge(CyclicCode::Word word) const;
-
-private:
   /*! A pixel, as the marker has it. */
   struct Pixel
   {
@@ -106,6 +73,46 @@ private:
     double residual = 0.;          //!< Its level, less what it would be on a white track.
     std::array<bool, 2> isTrusted; //!< Whether nothing like paper, like ink, is beside.
   };
+
+  std::vector<Pixel> pixels;  //!< Of the track and what is beside it.
+  std::vector<Placed> placed; //!< Those that show one sector alone.
+};
+
+/*!
+  At the pose of a measured ring each pixel of the code track has the grey level that its sectors give it through the
+  blur, to a hundredth of the contrast and the noise; or something covers it.
+*/
+class TrackPixels
+{
+public:
+  /*!
+    \param I : The image.
+    \param camera : Its camera.
+    \param ring : The ring.
+    \param family : The family.
+    \param memory : Working memory, in use as long as this object is.
+  */
+  TrackPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring,
+              const vpCircleMarkerFamily &family, TrackMemory &memory);
+
+  /*! Whether what covers the marker is, where the print is known, as dark as ink or as bright as paper. */
+  bool hasCoverLikePrint() const { return m_hasLikePrint; }
+
+  /*! Adds to a reading what the pixels tell of the sectors, and improves its phase. */
+  void improve(SectorReading &reading);
+
+  /*! Sets the angle at which the first sector starts, rad. */
+  void turnTo(double phase);
+
+  /*! Improves that angle by a codeword. \return The angle, rad. */
+  double improvePhase(CyclicCode::Word word);
+
+  /*! Judges a codeword: it gives all sectors, so that what each pixel should be is known. */
+  CodewordVerdict judge(CyclicCode::Word word) const;
+
+private:
+  using Pixel = TrackMemory::Pixel;
+  using Placed = TrackMemory::Placed;
   /*! What a sector is. */
   enum class Kind
   {
@@ -124,7 +131,6 @@ private:
   };
   using Tallies = std::array<Tally, mostSectors>;
 
-  template <class Item> static std::vector<Item> &memory();
   void collect(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring);
   void findCover();
   Tallies count(const Kinds &kinds) const;
@@ -140,7 +146,7 @@ private:
   const double m_slack; //!< What a pixel's level may be off.
   bool m_hasLikePrint = false;
   std::vector<Pixel> &m_pixels;
-  std::vector<Placed> m_placed;               //!< Those that show one sector alone.
+  std::vector<Placed> &m_placed;              //!< Those that show one sector alone.
   double m_phase = 0.;                        //!< Of the grid of sectors, rad.
   std::array<bool, mostSamples> m_inkCover;   //!< By parts of sectors: whether something there is like ink.
   std::array<bool, mostSamples> m_paperCover; //!< Or like paper.

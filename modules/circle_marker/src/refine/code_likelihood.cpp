@@ -23,6 +23,7 @@
 
 #include <Eigen/Core>
 
+#include "decode/code_track.h"
 #include "decode/cyclic_code.h"
 #include "refine/plane_point.h"
 #include "support/normal_distribution.h"
@@ -30,7 +31,6 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-constexpr unsigned int mostSectors = 31;
 // Phases of the sectors that are tried: an eighth of a sector moves no edge by more than a small part of the blur.
 constexpr int phases = 8;
 // A pixel sees the sectors whose borders are within this many standard deviations of the blur; and no more than these
@@ -278,7 +278,6 @@ private:
 struct Contender
 {
   CyclicCode::Word word = 0;
-  double start = 0.; // angle of the first sector
   double cost = HUGE_VAL;
   int id = -1;
   double spin = 0.;
@@ -309,7 +308,6 @@ std::array<Contender, 2> bestTwo(const Squares &squares, const CyclicCode &code,
   two[1].word = second;
   two[1].cost = squares.squares + static_cast<double>(secondCost);
   for (Contender &contender : two) {
-    contender.start = start;
     if (const auto identity = code.identify(contender.word)) { // else constant: no marker's
       contender.id = identity->id;
       contender.spin = std::remainder(start + fullTurn * identity->rotation / code.getLength(), fullTurn);

@@ -39,7 +39,10 @@ struct Measurement
 /*! Coordinates in which measure() tells the light on a marker: those of the first pose that was recognised. */
 ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera);
 
-/*! Working memory of measure(), used again from one marker to the next. A copy has a memory of its own. */
+/*!
+  Working memory of measure() and of what is read at a measured pose, used again from one marker to the next. A copy has
+  a memory of its own.
+*/
 struct MeasureMemory
 {
   MeasureMemory() = default;
@@ -48,6 +51,7 @@ struct MeasureMemory
 
   std::vector<FitPixel> pixels;                  //!< The pixels that are explained.
   std::unique_ptr<Fitter> fitter = makeFitter(); //!< What fits poses to them.
+  TrackMemory track;                             //!< Of the code track's pixels.
 };
 
 /*!
