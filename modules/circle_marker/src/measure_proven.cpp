@@ -18,11 +18,9 @@
 #include "measure_proven.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "refine/code_likelihood.h"
-#include "support/bilinear.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -59,31 +57,6 @@ double sectorLength(const EllipseParameters &outline, const vpCircleMarkerFamily
 {
   const vpCircleMarkerLayout &layout = family.getLayout();
   return M_PI * (layout.codeInner + layout.codeOuter) * outline.b / family.getNbSectors();
-}
-
-// Whether there is a dark ring within something brighter, in all directions but two. It is looked at where a small ring
-// is, whose outline is found up to a tenth of the radius too far out, and a larger one, which is found where it is.
-bool hasRing(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane)
-{
-  constexpr std::size_t directions = 24;
-  constexpr std::size_t left = 2;
-  constexpr double paperRadius = 1.04;
-  constexpr double ringRadius = 0.85;
-  constexpr double leastStep = 0.3; // of the usual one
-  std::array<double, directions> steps;
-  for (std::size_t i = 0; i < directions; ++i) {
-    const double angle = 2. * M_PI * static_cast<double>(i) / directions;
-    const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
-    const auto paper = bilinear(I, camera.toPixel(plane.project(paperRadius * out)));
-    const auto ring = bilinear(I, camera.toPixel(plane.project(ringRadius * out)));
-    if (!paper || !ring) {
-      return false;
-    }
-    steps[i] = *paper - *ring;
-  }
-  std::sort(steps.begin(), steps.end());
-  const double usual = steps[directions / 2];
-  return usual > 0. && steps[left] > leastStep * usual;
 }
 
 // Whether a marker's likeliest code is beyond doubt.
@@ -127,9 +100,6 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
                                          Recognition &marker, MeasureMemory &memory)
 {
   if (!marker.isCertain) {
-    if (!hasRing(I, camera, marker.poses[0])) {
-      return std::nullopt;
-    }
     const auto start = measure(I, camera, marker, false, memory);
     if (!start || start->first.correlation < leastCorrelationAtStart) {
       return std::nullopt;

@@ -204,6 +204,9 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
 std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
                                               const PosePair &poses, const vpCircleMarkerFamily &family)
 {
+  if (!hasDarkRing(I, camera, poses[0])) {
+    return std::nullopt;
+  }
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
   for (std::size_t i = 0; i < 2; ++i) {
     const Judged<SectorReading> sectors = readSectors(I, camera, poses[i], family);

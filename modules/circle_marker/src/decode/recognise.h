@@ -70,7 +70,7 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
 
 /*!
   A marker whose code could not be read for certain: with the codeword that agrees best, which has to be proven once it
-  is measured. Nothing if the track is not made of sectors.
+  is measured. Nothing if no dark ring shows all around, or the track is not made of sectors.
 */
 std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
                                               const PosePair &poses, const vpCircleMarkerFamily &family);

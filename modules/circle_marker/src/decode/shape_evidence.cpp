@@ -242,6 +242,28 @@ Print fitPrint(const Profile &profile, const std::array<const Circle *, 3> &circ
 }
 } // namespace
 
+bool hasDarkRing(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane)
+{
+  // Where a small ring is, whose outline is found up to a tenth of the radius too far out, and a larger one, which is
+  // found where it is.
+  constexpr double paperRadius = 1.04;
+  constexpr double ringRadius = 0.85;
+  constexpr double least = 0.3;   // of the usual step
+  constexpr std::size_t left = 3; // directions that may have less
+  Greys steps;
+  for (std::size_t i = 0; i < directions; ++i) {
+    const auto paper = bilinear(I, camera.toPixel(plane.project(onCircle(paperRadius, i))));
+    const auto ring = bilinear(I, camera.toPixel(plane.project(onCircle(ringRadius, i))));
+    if (!paper || !ring) {
+      return false;
+    }
+    steps[i] = *paper - *ring;
+  }
+  std::sort(steps.begin(), steps.end());
+  const double usual = steps[directions / 2];
+  return usual > 0. && steps[left] > least * usual;
+}
+
 bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
                        const vpCircleMarkerLayout &layout, double ringInner)
 {

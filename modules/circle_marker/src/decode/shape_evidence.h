@@ -27,6 +27,14 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
+  Whether there is a dark ring within something brighter in nearly all directions: a first look, before a small outline
+  is worth more.
+  \param I, camera : The image and its camera.
+  \param plane : The marker's pose.
+*/
+bool hasDarkRing(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane);
+
+/*!
   Whether a ring or disc without a code looks like one in almost every direction from its centre: white outside, black
   on the ring, and inside as white as outside (or, for a disc, as black as its rim). Letters, eyes, wheels and fingers
   have an elliptic outline and a dark band in most directions; they have not in all, or no uniform inside.
