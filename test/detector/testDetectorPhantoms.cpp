@@ -106,3 +106,41 @@ TEST(DetectorPhantoms, BrightSpotsWithADarkRimHaveNoCode)
     EXPECT_FALSE(detector.detect(I)) << "image " << image << ": " << detector.getMessage(0);
   }
 }
+
+// Targets of rings, seen at an angle: the track is even and grey, or the fit explains it by paper that is whiter and
+// ink that is blacker than anything in the image. Where codewords could not be compared the first reading decided.
+TEST(DetectorPhantoms, RingsInRingsHaveNoCode)
+{
+  constexpr int cell = 28; // pixels of the drawing
+  cv::Mat drawing(2 * height, 2 * width, CV_8U, cv::Scalar(220));
+  for (int y = cell / 2; y + cell / 2 <= drawing.rows; y += cell) {
+    for (int x = cell / 2; x + cell / 2 <= drawing.cols; x += cell) {
+      for (const int radius : {12, 8, 4}) {
+        cv::circle(drawing, cv::Point(x, y), radius, cv::Scalar(30), 2, cv::LINE_AA);
+      }
+    }
+  }
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector;
+  detector.setFamilies({vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31});
+  for (int image = 0; image < 8; ++image) {
+    // A part of the drawing, somewhat askew, fills the image: targets of 14 to 24 pixels.
+    const float share = static_cast<float>(uniform(random, 0.6, 1.));
+    std::vector<cv::Point2f> from;
+    for (const cv::Point2f &corner :
+         {cv::Point2f(-1.F, -1.F), cv::Point2f(1.F, -1.F), cv::Point2f(1.F, 1.F), cv::Point2f(-1.F, 1.F)}) {
+      from.emplace_back(width * (1.F + share * corner.x * static_cast<float>(uniform(random, 0.7, 1.))),
+                        height * (1.F + share * corner.y * static_cast<float>(uniform(random, 0.7, 1.))));
+    }
+    const std::vector<cv::Point2f> to = {{0.F, 0.F}, {width, 0.F}, {width, height}, {0.F, height}};
+    vpImage<unsigned char> I(height, width);
+    cv::Mat pixels(height, width, CV_8U, I.bitmap);
+    cv::warpPerspective(drawing, pixels, cv::getPerspectiveTransform(from, to), pixels.size());
+    cv::GaussianBlur(pixels, pixels, cv::Size(), uniform(random, 0.4, 1.5));
+    std::normal_distribution<double> normal(0., uniform(random, 0., 6.));
+    for (unsigned int i = 0; i < I.getSize(); ++i) {
+      I.bitmap[i] = cv::saturate_cast<unsigned char>(I.bitmap[i] + normal(random));
+    }
+    EXPECT_FALSE(detector.detect(I)) << "image " << image << ": " << detector.getMessage(0);
+  }
+}

@@ -59,9 +59,9 @@ int main(int argc, char *argv[])
                  "of each kind")
       ->check(CLI::Range(1, 1000000));
   std::uint64_t seed = 1;
-  app.add_option("--seed", seed, "Seed of the frames for --hardships")->capture_default_str();
+  app.add_option("--seed", seed, "Seed of the frames for --reach, --hardships and --phantoms")->capture_default_str();
   std::string only;
-  app.add_option("--only", only, "With --hardships: the kinds with this in their name");
+  app.add_option("--only", only, "With --hardships and --phantoms: the kinds with this in their name");
   std::string family = "golay23";
   app.add_option("--family", family, "Family of the markers for --reach and --hardships")
       ->check(CLI::IsMember({"golay23", "bch31", "bch31r", "ring"}))
@@ -71,8 +71,9 @@ int main(int argc, char *argv[])
   app.add_option("--photographs", photographs, "Markers found in the pictures of a folder that has none")
       ->check(CLI::ExistingDirectory);
   app.add_option("--overlays", overlays,
-                 "With --photographs: folder to write pictures of the rings found to; with --hardships: of the frames "
-                 "whose marker was not found")
+                 "With --photographs: folder to write pictures of the rings found to; with --phantoms: of the coded "
+                 "markers found; with --reach: of the frames with a wrong id; with --hardships: of the frames whose "
+                 "marker was not found")
       ->check(CLI::ExistingDirectory);
   app.allow_extras();
   try {
@@ -94,13 +95,13 @@ int main(int argc, char *argv[])
       bench::tellTimeouts(std::cout, timeouts);
     }
     if (reach > 0) {
-      bench::tellReach(std::cout, family, reach);
+      bench::tellReach(std::cout, family, reach, seed, overlays);
     }
     if (hardships > 0) {
       bench::tellHardships(std::cout, family, hardships, seed, only, overlays);
     }
     if (phantoms > 0) {
-      bench::tellPhantoms(std::cout, phantoms);
+      bench::tellPhantoms(std::cout, phantoms, seed, only, overlays);
     }
     if (!photographs.empty()) {
       bench::tellPhotographs(std::cout, photographs, overlays);

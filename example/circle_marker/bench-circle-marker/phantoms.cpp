@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <map>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,7 @@
 #include <visp3/io/vpImageIo.h>
 
 #include "other_systems.h"
+#include "rate_bound.h"
 #include "scenes.h"
 
 namespace bench {
@@ -48,46 +50,75 @@ struct Count
   unsigned int rings = 0;
 };
 
-// Rate p at which so many events or fewer in n trials have a chance of 5 %: sum_k C(n,k) p^k (1-p)^(n-k) = 0.05.
-double upperBound(unsigned int events, unsigned int trials)
+// Of the hard images these are drawn, always the same; each time they are seen from somewhere else, or a thousand looks
+// at one image would count as a thousand images.
+bool isDrawn(const std::string &hard)
 {
-  double low = 0.;
-  double high = 1.;
-  for (int i = 0; i < 60; ++i) {
-    const double p = 0.5 * (low + high);
-    double chance = 0.;
-    double term = trials * std::log1p(-p); // logarithm of the binomial term
-    for (unsigned int k = 0; k <= events && k <= trials; ++k) {
-      chance += std::exp(term);
-      term += std::log((trials - k) / (k + 1.)) + std::log(p / (1. - p));
-    }
-    (chance > 0.05 ? low : high) = p;
-  }
-  return high;
+  return hard != "noise" && hard != "blobs" && hard != "crossing-rings";
 }
 
-std::pair<std::string, vpImage<unsigned char>> imageWithoutMarkers(unsigned int index)
+vpImage<unsigned char> seenFromSomewhere(const vpImage<unsigned char> &drawing, std::uint64_t seed)
 {
-  const std::vector<std::string> hard = hardImages();
-  // Half of the images are clutter, with noise from 0 to 12 grey levels; a quarter has other systems' signs, a quarter
-  // is hard; in turn.
+  std::mt19937_64 random(seed);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  // The corners of what is seen of the drawing: turned, from nearer, and somewhat askew.
+  const double turn = uniform(0., 2. * M_PI);
+  const double share = uniform(0.3, 0.55);
+  std::vector<cv::Point2f> from;
+  for (const auto &[x, y] : {std::pair(-1., -1.), std::pair(1., -1.), std::pair(1., 1.), std::pair(-1., 1.)}) {
+    const double u = share * width * x * uniform(0.7, 1.);
+    const double v = share * height * y * uniform(0.7, 1.);
+    from.emplace_back(static_cast<float>(0.5 * drawing.getWidth() + std::cos(turn) * u - std::sin(turn) * v),
+                      static_cast<float>(0.5 * drawing.getHeight() + std::sin(turn) * u + std::cos(turn) * v));
+  }
+  const std::vector<cv::Point2f> to = {{0.F, 0.F},
+                                       {static_cast<float>(width), 0.F},
+                                       {static_cast<float>(width), static_cast<float>(height)},
+                                       {0.F, static_cast<float>(height)}};
+  const cv::Mat drawn(static_cast<int>(drawing.getHeight()), static_cast<int>(drawing.getWidth()), CV_8U,
+                      drawing.bitmap);
+  vpImage<unsigned char> I(height, width);
+  cv::Mat pixels(static_cast<int>(height), static_cast<int>(width), CV_8U, I.bitmap);
+  cv::warpPerspective(drawn, pixels, cv::getPerspectiveTransform(from, to), pixels.size(), cv::INTER_LINEAR,
+                      cv::BORDER_REFLECT);
+  cv::GaussianBlur(pixels, pixels, cv::Size(), uniform(0.4, 1.5));
+  std::normal_distribution<double> normal(0., uniform(0., 6.));
+  for (unsigned int i = 0; i < I.getSize(); ++i) {
+    I.bitmap[i] = cv::saturate_cast<unsigned char>(I.bitmap[i] + normal(random));
+  }
+  return I;
+}
+
+// Half of the images are clutter; a quarter has other systems' signs, a quarter is hard; in turn.
+std::string kindOf(unsigned int index)
+{
+  static const std::vector<std::string> systems = otherSystems();
+  static const std::vector<std::string> hard = hardImages();
+  return index % 4 == 2   ? systems[(index / 4) % systems.size()]
+         : index % 4 == 3 ? hard[(index / 4) % hard.size()]
+                          : "clutter";
+}
+
+vpImage<unsigned char> imageWithoutMarkers(const std::string &kind, unsigned int index, std::uint64_t seed)
+{
+  const std::uint64_t number = seed + index;
   if (index % 4 == 2) {
-    static const std::vector<std::string> systems = otherSystems();
-    const std::string &name = systems[(index / 4) % systems.size()];
-    return {name, otherSystemsImage(name, width, height, 70000 + index)};
+    return otherSystemsImage(kind, width, height, 70000 + number);
   }
-  if (index % 4 != 3) {
-    SceneOptions options;
-    options.width = width;
-    options.height = height;
-    options.markers = 0;
-    options.clutter = true;
-    options.noise = 2. * (index % 7);
-    options.seed = 50000 + index;
-    return {"clutter", makeScene(options).image};
+  if (index % 4 == 3) {
+    return isDrawn(kind) ? seenFromSomewhere(makeHardImage(kind, 2 * width, 2 * height), number)
+                         : makeHardImage(kind, width, height, number);
   }
-  const std::string &name = hard[(index / 4) % hard.size()];
-  return {name, makeHardImage(name, width, height, index)};
+  SceneOptions options;
+  options.width = width;
+  options.height = height;
+  options.markers = 0;
+  options.clutter = true;
+  options.noise = 2. * (index % 7); // 0 to 12 grey levels
+  options.seed = 50000 + number;
+  return makeScene(options).image;
 }
 
 void write(std::ostream &out, const std::map<std::string, Count> &counts)
@@ -142,17 +173,38 @@ void writeOverlay(const vpImage<unsigned char> &I, const std::vector<vpCircleMar
   }
   cv::imwrite(file, picture);
 }
+
+// A line for each marker found, to be looked at.
+void tellFound(std::ostream &out, const std::string &picture, const std::vector<vpCircleMarkerDetection> &detections)
+{
+  for (const vpCircleMarkerDetection &found : detections) {
+    out << picture << ": " << found.family.getName() << " " << found.id << " at " << found.ellipse.center
+        << ", semi-axes " << found.ellipse.a << ", " << found.ellipse.b << "\n";
+  }
+}
 } // namespace
 
-void tellPhantoms(std::ostream &out, unsigned int images)
+void tellPhantoms(std::ostream &out, unsigned int images, std::uint64_t seed, const std::string &only,
+                  const std::string &overlays)
 {
   Detectors detectors;
   std::map<std::string, Count> counts;
   for (unsigned int i = 0; i < images; ++i) {
-    const auto [kind, image] = imageWithoutMarkers(i);
+    const std::string kind = kindOf(i);
+    if (kind.find(only) == std::string::npos) {
+      continue;
+    }
+    const vpImage<unsigned char> image = imageWithoutMarkers(kind, i, firstOfSeed(seed));
     detectors.look(image);
     for (Count *count : {&counts[kind], &counts["all"]}) {
       detectors.addTo(*count);
+    }
+    const std::vector<vpCircleMarkerDetection> &found = detectors.coded.getDetections();
+    tellFound(out, kind + " " + std::to_string(i), found);
+    if (!overlays.empty() && !found.empty()) {
+      writeOverlay(image, found, overlays + "/" + kind + "-" + std::to_string(i) + ".png");
+      cv::imwrite(overlays + "/" + kind + "-" + std::to_string(i) + "-plain.png",
+                  cv::Mat(static_cast<int>(height), static_cast<int>(width), CV_8U, image.bitmap));
     }
   }
   write(out, counts);
@@ -181,10 +233,7 @@ void tellPhotographs(std::ostream &out, const std::string &folder, const std::st
     detectors.look(I);
     detectors.addTo(counts["photographs"]);
     for (const vpDetectorCircleMarker *detector : {&detectors.coded, &detectors.ring}) {
-      for (const vpCircleMarkerDetection &found : detector->getDetections()) {
-        out << picture.string() << ": " << found.family.getName() << " " << found.id << " at " << found.ellipse.center
-            << ", semi-axes " << found.ellipse.a << ", " << found.ellipse.b << "\n";
-      }
+      tellFound(out, picture.string(), detector->getDetections());
     }
     if (!overlays.empty() && detectors.ring.getNbObjects() > 0) {
       writeOverlay(I, detectors.ring.getDetections(),

@@ -74,6 +74,12 @@ vpHomogeneousMatrix randomPose(std::uint64_t seed, const vpCameraParameters &cam
 /*! The frame of the options: markers in the cells of a grid, with random positions in them, tilts and spins. */
 Scene makeScene(const SceneOptions &options);
 
+/*! The first of a seed's own numbers: those of different seeds do not meet in a million frames; none for seed 1. */
+constexpr std::uint64_t firstOfSeed(std::uint64_t seed)
+{
+  return (seed - 1) * 1000000;
+}
+
 /*! Names that makeHardImage() knows. */
 std::vector<std::string> hardImages();
 

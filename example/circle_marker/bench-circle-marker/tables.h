@@ -37,8 +37,11 @@ void tellRatios(std::ostream &out, unsigned int rounds);
   \param out : Where the table goes, Markdown.
   \param family : Name of the markers' family.
   \param frames : How many.
+  \param seed : Of the frames.
+  \param overlays : Folder for the frames with a wrong id or a marker where none is, or empty.
 */
-void tellReach(std::ostream &out, const std::string &family, unsigned int frames);
+void tellReach(std::ostream &out, const std::string &family, unsigned int frames, std::uint64_t seed,
+               const std::string &overlays);
 
 /*!
   Share of the markers that are found and rightly read where something covers a part of them or the picture is bad, how
@@ -64,12 +67,16 @@ void tellHardships(std::ostream &out, const std::string &family, unsigned int fr
 void tellTimeouts(std::ostream &out, unsigned int rounds);
 
 /*!
-  Markers found in images that have none: clutter with noise, with and without blur, and the hard images. The upper
-  bound of the rate at 95 % is that of Clopper and Pearson (1934).
+  Markers found in images that have none: clutter with noise, other systems' signs, and the hard images; each coded
+  marker, and a table. The upper bound of the rate at 95 % is that of Clopper and Pearson (1934).
   \param out : Where the table goes, Markdown.
   \param images : How many.
+  \param seed : Of the images.
+  \param only : Part of the names of the kinds to be looked at; empty for all.
+  \param overlays : Folder for pictures of the coded markers found, or empty.
 */
-void tellPhantoms(std::ostream &out, unsigned int images);
+void tellPhantoms(std::ostream &out, unsigned int images, std::uint64_t seed, const std::string &only,
+                  const std::string &overlays);
 
 /*!
   Markers found in the pictures of a folder and the folders in it, which are taken to have none: each, and a table.

@@ -59,6 +59,17 @@ double sectorLength(const EllipseParameters &outline, const vpCircleMarkerFamily
   return M_PI * (layout.codeInner + layout.codeOuter) * outline.b / family.getNbSectors();
 }
 
+// Whether a fit leaves no more of the image than one of a print does. No sensor tells more than white, nor ink darker
+// than black: a fit of what is no marker may find its contrast there, but that is not what is left to be explained.
+bool leavesWhatPrintsLeave(const FittedPose &fit, double noise)
+{
+  constexpr double white = 255.;
+  const double paper = std::min(fit.photometry.light, white);
+  const double ink = std::max(fit.photometry.light * (1. - fit.photometry.contrast), 0.);
+  return fit.photometry.contrast < 1. + mostUnlike &&
+         fit.noise < mostNoise * std::max(noise, rounding) + mostUnlike * (paper - ink);
+}
+
 // Whether a marker's likeliest code is beyond doubt.
 bool isProven(const LikelyCode &code, const FittedPose &fit, double noise, bool isCertain)
 {
@@ -66,7 +77,7 @@ bool isProven(const LikelyCode &code, const FittedPose &fit, double noise, bool 
   const double noiseAlone = mostNoise * std::max(noise, rounding);
   const bool isLikely = code.odds > leastOdds && code.unexplained < mostUnexplained;
   const bool isRightPose = code.odds > oddsAtAnyPose || fit.noise < noiseAlone + mostLacking * contrast;
-  const bool isPrint = fit.noise < noiseAlone + mostUnlike * contrast && fit.correlation > leastCorrelation;
+  const bool isPrint = leavesWhatPrintsLeave(fit, noise) && fit.correlation > leastCorrelation;
   return isLikely && isRightPose && (isCertain || isPrint);
 }
 
@@ -115,8 +126,11 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
       return std::nullopt;
     }
     const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family);
-    if (!code) {
-      return marker.isCertain ? measurement : std::nullopt;
+    if (!code) { // the first reading decides, if what was read is there at all
+      return marker.isCertain && leavesWhatPrintsLeave(measurement->first, noise) ? measurement : std::nullopt;
+    }
+    if (code->id < 0) {
+      return std::nullopt;
     }
     const bool isSame = code->id == marker.code.id && std::abs(code->spin) < M_PI / marker.family.getNbSectors();
     if (isSame) {

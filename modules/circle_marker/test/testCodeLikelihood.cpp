@@ -89,6 +89,22 @@ TEST(CodeLikelihood, WhatIsNoCodewordIsNotExplained)
   }
 }
 
+// A ring around a grey spot, or with another one inside, is no marker, and not the one that is least unlike it either.
+TEST(CodeLikelihood, AnEvenTrackIsNoCode)
+{
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31}) {
+    const vpCircleMarkerFamily family(type);
+    for (const bool isBlack : {false, true}) {
+      MarkerScene scene = markerScene(random, family, 0, uniform(random, 15., 40.), uniform(random, 0., 0.8), side);
+      scene.word = isBlack ? (1U << family.getNbSectors()) - 1 : 0;
+      const auto code = read(imageOf(scene, random), scene, 0.);
+      ASSERT_TRUE(code);
+      EXPECT_EQ(code->id, -1) << family.getName() << (isBlack ? ", black" : ", white");
+    }
+  }
+}
+
 // Over the variance of the noise.
 TEST(CodeLikelihood, OddsFallWithTheNoise)
 {

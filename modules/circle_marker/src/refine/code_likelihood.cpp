@@ -283,12 +283,12 @@ struct Contender
   double spin = 0.;
 };
 
-// The two best codewords at a phase.
+// The two best codewords at a phase. A white track, the zero word, costs nothing but the squares; it may be the best.
 std::array<Contender, 2> bestTwo(const Squares &squares, const CyclicCode &code, double start)
 {
   const WordCosts costs(squares, code.getLength());
   CyclicCode::Word best = 0, second = 0;
-  float bestCost = HUGE_VALF, secondCost = HUGE_VALF;
+  float bestCost = 0.f, secondCost = HUGE_VALF;
   code.forEachCodeword([&](CyclicCode::Word word) {
     const float cost = costs.of(word);
     if (cost < bestCost) {
@@ -337,7 +337,7 @@ std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const 
   const Contender &best = *std::min_element(contenders.begin(), contenders.end(),
                                             [](const auto &p, const auto &q) { return p.cost < q.cost; });
   if (best.id < 0) {
-    return std::nullopt;
+    return LikelyCode();
   }
   double next = HUGE_VAL;
   for (const Contender &contender : contenders) {

@@ -45,7 +45,7 @@ namespace circle_marker {
 /*! The codeword that explains a code track best. */
 struct LikelyCode
 {
-  int id = -1;
+  int id = -1;             //!< -1: a track all black or all white explains more than any.
   double spin = 0.;        //!< Angle from the plane's x axis to the marker's own, rad, in (-pi, pi].
   double odds = HUGE_VAL;  //!< Natural logarithm of its odds against the next one.
   double unexplained = 0.; //!< Root of the mean squared residual, in units of the noise.
