@@ -59,6 +59,7 @@ public:
   Lanes &operator-=(const Lanes &b) { return *this = _mm256_sub_ps(m_value, b.m_value); }
   Lanes &operator*=(const Lanes &b) { return *this = _mm256_mul_ps(m_value, b.m_value); }
 
+  Lanes floor() const { return _mm256_floor_ps(m_value); }
   Lanes abs() const { return _mm256_andnot_ps(_mm256_set1_ps(-0.f), m_value); }
   Lanes min(const Lanes &b) const { return _mm256_min_ps(m_value, b.m_value); }
   Lanes max(const Lanes &b) const { return _mm256_max_ps(m_value, b.m_value); }

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include <Eigen/LU>
 
@@ -51,20 +50,22 @@ template <int fitted> struct Part
   bool isSeen = false;
 };
 
+template <int fitted> using Parts = std::array<Part<fitted>, directions>;
+
 // step: the last one from where the sums were made; used: number of parameters.
 template <int fitted>
-Part<fitted> partOf(const SumsOfDirection &sums, const Influence<fitted> &influence, const ParameterVector &step,
-                    int used)
+Part<fitted> partOf(const ProductSums &products, const PullSums &pulls, const Influence<fitted> &influence,
+                    const ParameterVector &step, int used)
 {
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, parameters, parameters> information(used, used);
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, parameters, 1> pull(used);
   std::size_t k = 0;
   for (int i = 0; i < used; ++i) {
     for (int j = 0; j <= i; ++j) {
-      information(i, j) = sums[k++];
+      information(i, j) = products[k++];
       information(j, i) = information(i, j);
     }
-    pull[i] = sums[static_cast<std::size_t>(products + i)];
+    pull[i] = pulls[static_cast<std::size_t>(i)];
   }
   // Matrices this small are multiplied faster term by term than by blocks.
   const auto known = influence.leftCols(used);
@@ -76,20 +77,21 @@ Part<fitted> partOf(const SumsOfDirection &sums, const Influence<fitted> &influe
 // By how much the parts together move the pose more than independent noise would; 1 if that is within chance.
 // known: inverse of the covariance of the pose with independent noise of variance 1.
 template <int fitted>
-double excessOf(const std::vector<Part<fitted>> &parts, const Eigen::Matrix<double, fitted, fitted> &known,
+double excessOf(const Parts<fitted> &parts, std::size_t count, const Eigen::Matrix<double, fitted, fitted> &known,
                 double noise)
 {
   using PoseMatrix = Eigen::Matrix<double, fitted, fitted>;
   PoseMatrix moved = PoseMatrix::Zero();
   double squaredShares = 0.;
   std::size_t seen = 0;
-  for (const Part<fitted> &part : parts) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const Part<fitted> &part = parts[k];
     moved += part.motion * part.motion.transpose();
     const PoseMatrix share = known.lazyProduct(part.information);
     squaredShares += share.cwiseProduct(share.transpose()).sum() / fitted; // trace of its square
     seen += part.isSeen ? 1 : 0;
   }
-  if (static_cast<double>(seen) < leastParts * static_cast<double>(parts.size())) {
+  if (static_cast<double>(seen) < leastParts * static_cast<double>(count)) {
     return 1.;
   }
   // The motions' sum is 0 after the fit, which takes a little away; the share of each part in what is known tells how
@@ -103,30 +105,32 @@ double excessOf(const std::vector<Part<fitted>> &parts, const Eigen::Matrix<doub
   return ratio > mostByChance ? ratio : 1.;
 }
 
-// Each part with the one that follows it.
-template <int fitted> std::vector<Part<fitted>> pairsOf(const std::vector<Part<fitted>> &parts)
+// The first of the parts become each one with the one that follows it.
+template <int fitted> void takeTogether(Parts<fitted> &parts, std::size_t count)
 {
-  std::vector<Part<fitted>> pairs;
-  for (std::size_t k = 0; k + 1 < parts.size(); k += 2) {
-    pairs.push_back({parts[k].motion + parts[k + 1].motion, parts[k].information + parts[k + 1].information,
-                     parts[k].isSeen || parts[k + 1].isSeen});
+  for (std::size_t k = 0; k + 1 < count; k += 2) {
+    parts[k / 2] = {parts[k].motion + parts[k + 1].motion, parts[k].information + parts[k + 1].information,
+                    parts[k].isSeen || parts[k + 1].isSeen};
   }
-  return pairs;
 }
+
 template <int fitted>
-double coherenceOf(const std::vector<SumsOfDirection> &sums, const ParameterMatrix &inverse,
+double coherenceOf(const PassSums &sums, const ParameterMatrix &inverse,
                    const ParameterVector &step, double noise, int used)
 {
   const Influence<fitted> influence = inverse.topRows<fitted>();
   const Eigen::Matrix<double, fitted, fitted> known = inverse.topLeftCorner<fitted, fitted>().inverse();
-  std::vector<Part<fitted>> parts;
-  for (std::size_t direction = 0; direction < directions; ++direction) {
-    parts.push_back(direction < sums.size() ? partOf<fitted>(sums[direction], influence, step, used) : Part<fitted>());
+  Parts<fitted> parts;
+  const std::size_t seen = std::min(sums.products.size(), directions);
+  for (std::size_t k = 0; k < seen; ++k) {
+    parts[k] = partOf<fitted>(sums.products[k], sums.pulls[k], influence, step, used);
   }
-  double largest = excessOf<fitted>(parts, known, noise);
-  while (parts.size() > leastCount) {
-    parts = pairsOf<fitted>(parts);
-    largest = std::max(largest, excessOf<fitted>(parts, known, noise));
+  std::size_t count = directions;
+  double largest = excessOf<fitted>(parts, count, known, noise);
+  while (count > leastCount) {
+    takeTogether<fitted>(parts, count);
+    count /= 2;
+    largest = std::max(largest, excessOf<fitted>(parts, count, known, noise));
   }
   return largest;
 }

@@ -136,12 +136,12 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
       if (!isNear) {
         // Inside a plain ring anything may be printed: only the neighbourhood of its edges is known.
         if (pattern.sectors > 0 && keep == 1) {
-          surround.enter(tile);
+          surround.enter(hypotheses);
           add(left, top, tile.meterPerPixel.cast<float>());
         }
         continue;
       }
-      surround.enter(tile);
+      surround.enter(hypotheses);
       const Eigen::Matrix2f derivative = tile.meterPerPixel.cast<float>();
       const int right = std::min(left + laneCount - 1, box.right);
       for (int v = top; v <= std::min(top + laneCount - 1, box.bottom); ++v) {
@@ -149,15 +149,12 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
         for (std::size_t i = 0; i < count; ++i) {
           distance = distance.min(hypotheses[i].distances(v - top - tileHalf));
         }
-        if (distance.minCoeff() >= static_cast<float>(band)) {
-          continue;
-        }
-        int phase = (left + slant * v) % keep;
-        for (int u = left; u <= right; ++u) {
-          if (phase == 0 && distance[u - left] < static_cast<float>(band)) {
+        const LaneList chosen = lanesBelow(distance, static_cast<float>(band));
+        for (int k = 0; k < chosen.count; ++k) {
+          const int u = left + chosen.lanes[static_cast<std::size_t>(k)];
+          if (u <= right && (keep == 1 || (u + slant * v) % keep == 0)) {
             add(u, v, derivative);
           }
-          phase = phase + 1 < keep ? phase + 1 : 0;
         }
       }
     }

@@ -40,6 +40,14 @@ struct FittedPose
   Eigen::Matrix<double, 6, 6> covariance; //!< Of (t, w): see Darkness::byPose.
 };
 
+/*! A fit on the same pixels that another one is to be better than. */
+struct Rival
+{
+  double squares = 0.; //!< See FittedPose.
+  double noise = 0.;   //!< Grey levels.
+  double odds = 0.;    //!< Who is worse than it by these log-odds, and does not catch up, is given up.
+};
+
 /*! What is fitted. */
 struct FitSettings
 {
@@ -53,6 +61,7 @@ struct FitSettings
   int mostIterations = 25; //!< Levenberg-Marquardt steps; 0 only evaluates the start.
   //! A step is the last when what it leaves of the way is expected to be less than this share of a standard deviation.
   double convergence = 0.15;
+  std::optional<Rival> rival; //!< Who a fit has to be better than to go on.
 };
 
 /*! Where a fit starts. */

@@ -41,7 +41,8 @@ constexpr float leastBend = 2e-3f;
 // Squared sine of the angle between two edges: corners are not sharper.
 constexpr float leastSquaredSine = 0.05f;
 // A block that is farther from an edge than this many standard deviations of the blur, to first order, does not see it.
-constexpr float farFromEdge = 6.f;
+// Beyond lie 3e-7 of the contrast.
+constexpr float farFromEdge = 5.f;
 // Inner radius of a ring without one, in units of the outer: so far away that no pixel sees it.
 constexpr float noEdge = -100.f;
 
@@ -235,7 +236,8 @@ void ImageModel::seeBorder(const PlaneLanes &p, const TrackLanes &track, const L
   const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
   const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
   const Lanes distance = perSigma * (acrossX * p.qx + acrossY * p.qy) * perGradient;
-  if (distance.abs().minCoeff() > farFromEdge) {
+  const Lanes isEdge = change * change;
+  if ((distance.abs() + farFromEdge * (1.f - isEdge)).minCoeff() >= farFromEdge) {
     code.value += change * (1e30f * distance).max(0.f).min(1.f);
     return;
   }
@@ -254,7 +256,6 @@ void ImageModel::seeBorder(const PlaneLanes &p, const TrackLanes &track, const L
   for (std::size_t k = 0; k < 2; ++k) {
     code.byElongation[k] -= change * normal.density * distance * stretched[k];
   }
-  const Lanes isEdge = change * change;
   const Lanes density = isEdge * normal.density;
   if ((density * (outer.normal.density + inner.normal.density)).maxCoeff() < leastCorner) {
     return;

@@ -30,6 +30,8 @@
 #ifndef VP_CIRCLE_MARKER_LANES_H
 #define VP_CIRCLE_MARKER_LANES_H
 
+#include <array>
+
 #include <Eigen/Core>
 
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
@@ -69,6 +71,38 @@ inline Lanes sumOfEach(const Lanes *blocks)
   return sums;
 }
 #endif
+
+/*! Numbers of some lanes, in their order. */
+struct LaneList
+{
+  std::array<unsigned char, laneCount> lanes;
+  int count;
+};
+
+/*! The lanes whose value is below a bound. */
+inline LaneList lanesBelow(const Lanes &value, float bound)
+{
+  LaneList list;
+  list.count = 0;
+  if (value.minCoeff() >= bound) {
+    return list;
+  }
+  for (int lane = 0; lane < laneCount; ++lane) { // without a branch that nobody can foretell
+    list.lanes[static_cast<std::size_t>(list.count)] = static_cast<unsigned char>(lane);
+    list.count += value[lane] < bound ? 1 : 0;
+  }
+  return list;
+}
+
+/*! Where a < b the value of ifLess, else that of ifNot. */
+inline Lanes chosen(const Lanes &a, const Lanes &b, const Lanes &ifLess, const Lanes &ifNot)
+{
+#ifdef CIRCLE_MARKER_WIDE_LANES
+  return _mm256_blendv_ps(ifNot.value(), ifLess.value(), _mm256_cmp_ps(a.value(), b.value(), _CMP_LT_OQ));
+#else
+  return (a < b).select(ifLess, ifNot);
+#endif
+}
 
 /*! 1 where a value is positive, else 0. */
 inline Lanes isPositive(const Lanes &value)

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include <Eigen/Cholesky>
 
@@ -57,10 +58,15 @@ constexpr std::size_t groupsToFlush = 8;
 class Sums
 {
 public:
-  // used: number of parameters that any pixel depends on, the first ones.
-  Sums(std::vector<SumsOfDirection> &sums, std::size_t used) : m_used(used), m_sums(sums)
+  // used: number of parameters that any pixel depends on, the first ones; formsProducts: whether the products for the
+  // matrix are wanted.
+  Sums(PassSums &sums, std::size_t used, bool formsProducts)
+      : m_used(used), m_products(formsProducts ? used * (used + 1) / 2 : 0), m_sums(sums)
   {
-    m_sums.clear();
+    m_sums.pulls.clear();
+    if (formsProducts) {
+      m_sums.products.clear();
+    }
     clear();
   }
 
@@ -77,17 +83,18 @@ public:
     RowLanes &weighted = m_weighted[m_pending];
     for (std::size_t i = 0; i < m_used; ++i) {
       weighted[i] = loss.weight * row[i];
-      m_lanes[products + i] += weighted[i] * residual;
+      m_pullLanes[i] += weighted[i] * residual;
     }
-    m_lanes[costAt] += loss.cost;
-    m_lanes[squaresAt] += loss.tells * loss.weight * residual.square();
-    m_lanes[keptAt] += loss.tells * loss.kept;
+    m_pullLanes[costAt] += loss.cost;
+    m_pullLanes[squaresAt] += loss.tells * loss.weight * residual.square();
+    m_pullLanes[keptAt] += loss.tells * loss.kept;
     if (++m_pending == blocksOfGroup) {
       closeGroup();
     }
   }
 
-  Equations equations()
+  // The sums of all directions: the matrix too, if its products are formed.
+  void close(Equations &equations)
   {
     if (m_pending > 0) {
       for (; m_pending < blocksOfGroup; ++m_pending) {
@@ -99,35 +106,47 @@ public:
       closeGroup();
     }
     flush();
-    SumsOfDirection total = {};
-    for (const SumsOfDirection &sums : m_sums) {
-      for (std::size_t k = 0; k < sumsOfDirection; ++k) {
-        total[k] += sums[k];
+    if (m_products > 0) {
+      const ProductSums total = totalOf(m_sums.products);
+      std::size_t k = 0;
+      for (int i = 0; i < parameters; ++i) {
+        for (int j = 0; j <= i; ++j) {
+          equations.matrix(i, j) = total[k++];
+          equations.matrix(j, i) = equations.matrix(i, j);
+        }
       }
     }
-    Equations result;
-    std::size_t k = 0;
+    const PullSums total = totalOf(m_sums.pulls);
     for (int i = 0; i < parameters; ++i) {
-      for (int j = 0; j <= i; ++j) {
-        result.matrix(i, j) = total[k++];
-        result.matrix(j, i) = result.matrix(i, j);
-      }
-      result.right[i] = total[static_cast<std::size_t>(products + i)];
+      equations.right[i] = total[static_cast<std::size_t>(i)];
     }
-    result.cost = total[costAt];
-    result.squares = total[squaresAt];
-    result.kept = total[keptAt];
-    return result;
+    equations.cost = total[costAt];
+    equations.squares = total[squaresAt];
+    equations.kept = total[keptAt];
   }
 
 private:
-  static constexpr std::size_t costAt = products + parameters;
+  static constexpr std::size_t costAt = parameters;
   static constexpr std::size_t squaresAt = costAt + 1;
   static constexpr std::size_t keptAt = costAt + 2;
 
+  template <class Numbers> static Numbers totalOf(const std::vector<Numbers> &all)
+  {
+    Numbers total = {};
+    for (const Numbers &numbers : all) {
+      for (std::size_t k = 0; k < numbers.size(); ++k) {
+        total[k] += numbers[k];
+      }
+    }
+    return total;
+  }
+
   void clear()
   {
-    for (Lanes &lanes : m_lanes) {
+    for (std::size_t k = 0; k < wholeBlocks(m_products); ++k) {
+      m_productLanes[k].setZero();
+    }
+    for (Lanes &lanes : m_pullLanes) {
       lanes.setZero();
     }
     m_groups = 0;
@@ -136,13 +155,13 @@ private:
   void closeGroup()
   {
     std::size_t k = 0;
-    for (std::size_t i = 0; i < m_used; ++i) {
+    for (std::size_t i = 0; k < m_products; ++i) {
       for (std::size_t j = 0; j <= i; ++j) {
-        Lanes sum = m_lanes[k];
+        Lanes sum = m_productLanes[k];
         for (std::size_t block = 0; block < blocksOfGroup; ++block) {
           sum += m_weighted[block][i] * m_rows[block][j];
         }
-        m_lanes[k++] = sum;
+        m_productLanes[k++] = sum;
       }
     }
     m_pending = 0;
@@ -151,32 +170,44 @@ private:
     }
   }
 
+  // Adds the first numbers of the lanes to those of a direction.
+  template <class Numbers>
+  static void addTo(std::vector<Numbers> &all, std::size_t direction, const Lanes *lanes, std::size_t count)
+  {
+    while (direction >= all.size()) {
+      all.push_back(Numbers());
+    }
+    Numbers &numbers = all[direction];
+    for (std::size_t k = 0; k < count; k += laneCount) {
+      const Lanes each = sumOfEach(lanes + k);
+      for (std::size_t i = 0; i < laneCount; ++i) {
+        numbers[k + i] += static_cast<double>(each[static_cast<std::ptrdiff_t>(i)]);
+      }
+    }
+  }
+
   void flush()
   {
     if (m_groups == 0) {
       return;
     }
-    if (m_direction >= m_sums.size()) {
-      m_sums.resize(m_direction + 1);
+    if (m_products > 0) {
+      addTo(m_sums.products, m_direction, m_productLanes.data(), m_products);
     }
-    SumsOfDirection &sums = m_sums[m_direction];
-    for (std::size_t k = 0; k < sumsOfDirection; k += laneCount) {
-      const Lanes each = sumOfEach(&m_lanes[k]);
-      for (std::size_t i = 0; i < laneCount; ++i) {
-        sums[k + i] += static_cast<double>(each[static_cast<std::ptrdiff_t>(i)]);
-      }
-    }
+    addTo(m_sums.pulls, m_direction, m_pullLanes.data(), m_pullLanes.size());
     clear();
   }
 
-  std::array<Lanes, sumsOfDirection> m_lanes;
+  std::array<Lanes, std::tuple_size<ProductSums>::value> m_productLanes;
+  std::array<Lanes, std::tuple_size<PullSums>::value> m_pullLanes;
   std::array<RowLanes, blocksOfGroup> m_rows;
   std::array<RowLanes, blocksOfGroup> m_weighted;
-  const std::size_t m_used;    // parameters
-  std::size_t m_pending = 0;   // blocks of the present group
-  std::size_t m_groups = 0;    // since the last flush
-  std::size_t m_direction = 0; // of the first of them
-  std::vector<SumsOfDirection> &m_sums;
+  const std::size_t m_used;     // parameters
+  const std::size_t m_products; // of these; none if they are not wanted
+  std::size_t m_pending = 0;    // blocks of the present group
+  std::size_t m_groups = 0;     // since the last flush
+  std::size_t m_direction = 0;  // of the first of them
+  PassSums &m_sums;
 };
 
 } // namespace
@@ -198,11 +229,24 @@ bool Likelihood::correct(const MarkerPlane &plane, const Photometry &photometry)
   return m_settings.exactBends && correctBends(plane, m_pattern, photometry.blur, m_memory.blocks);
 }
 
+void Likelihood::keepResiduals()
+{
+  m_memory.residuals.swap(m_memory.trial);
+  m_memory.sums.pulls.swap(m_memory.trialSums.pulls);
+  if (m_trialHasProducts) {
+    m_memory.sums.products.swap(m_memory.trialSums.products);
+    m_matrix = m_trialMatrix;
+  }
+}
+
 bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometry) const
 {
+  constexpr std::size_t unknowns = 4; // light, its gradient, contrast times light
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
-  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  std::array<Lanes, 2 * laneCount> sums; // lower triangle of the matrix, row by row, and the right-hand side
+  for (Lanes &lanes : sums) {
+    lanes.setZero();
+  }
   DarknessLanes darkness;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
@@ -216,21 +260,36 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
         print -= share * surround->beyond[shape];
       }
     }
-    std::array<Lanes, 4> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness.value};
+    std::array<Lanes, unknowns> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness.value};
     if (photometry.shadow) {
       const Lanes share = shadowOf(block, *photometry.shadow).value;
       for (Lanes &lanes : row) {
         lanes = share * lanes;
       }
     }
-    for (int i = 0; i < 4; ++i) {
-      const Lanes weighted = weight * row[static_cast<std::size_t>(i)];
-      for (int j = 0; j < 4; ++j) {
-        matrix(i, j) += static_cast<double>((weighted * row[static_cast<std::size_t>(j)]).sum());
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < unknowns; ++i) {
+      const Lanes weighted = weight * row[i];
+      for (std::size_t j = 0; j <= i; ++j) {
+        sums[k++] += weighted * row[j];
       }
-      right[i] += static_cast<double>((weighted * print).sum());
+      sums[unknowns * (unknowns + 1) / 2 + i] += weighted * print;
     }
   });
+  const std::array<Lanes, 2> totals = {sumOfEach(sums.data()), sumOfEach(sums.data() + laneCount)};
+  const auto total = [&totals](std::size_t k) {
+    return static_cast<double>(totals[k / laneCount][static_cast<std::ptrdiff_t>(k % laneCount)]);
+  };
+  Eigen::Matrix4d matrix;
+  Eigen::Vector4d right;
+  std::size_t k = 0;
+  for (int i = 0; i < static_cast<int>(unknowns); ++i) {
+    for (int j = 0; j <= i; ++j) {
+      matrix(i, j) = total(k++);
+      matrix(j, i) = matrix(i, j);
+    }
+    right[i] = total(unknowns * (unknowns + 1) / 2 + static_cast<std::size_t>(i));
+  }
   const Eigen::Vector4d solution = matrix.ldlt().solve(right);
   if (!solution.allFinite() || solution[0] <= 0. || solution[3] < leastContrast) {
     return false;
@@ -243,9 +302,20 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
 
 Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &photometry, double noise)
 {
+  return pass(plane, photometry, noise, true);
+}
+
+Equations Likelihood::pull(const MarkerPlane &plane, const Photometry &photometry, double noise)
+{
+  return pass(plane, photometry, noise, false);
+}
+
+Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts)
+{
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
-  const int used = photometry.shadow ? parameters : m_memory.blocks.surrounds.empty() ? surroundAt : shadowAt;
-  Sums sums(m_memory.trialSums, static_cast<std::size_t>(used));
+  Equations equations;
+  equations.used = photometry.shadow ? parameters : m_memory.blocks.surrounds.empty() ? surroundAt : shadowAt;
+  Sums sums(m_memory.trialSums, static_cast<std::size_t>(equations.used), formsProducts);
   m_memory.trial.clear();
   DarknessLanes darkness;
   std::size_t k = 0;
@@ -269,8 +339,14 @@ Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &phot
     // Coherence is not asked for where bends are not corrected: it is for a final fit.
     sums.add(grey.residual, loss, m_settings.exactBends ? direction : 0);
   });
-  Equations equations = sums.equations();
-  equations.used = used;
+  sums.close(equations);
+  if (formsProducts) {
+    m_trialMatrix = equations.matrix;
+  }
+  else {
+    equations.matrix = m_matrix;
+  }
+  m_trialHasProducts = formsProducts;
   constrain(photometry, noise, equations);
   return equations;
 }

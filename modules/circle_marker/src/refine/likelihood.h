@@ -84,12 +84,11 @@ public:
   /*! One pass over the pixels. */
   Equations linearise(const MarkerPlane &plane, const Photometry &photometry, double noise);
 
+  /*! The same with the matrix of the last pass of linearise() that was kept: the parameters are near those. */
+  Equations pull(const MarkerPlane &plane, const Photometry &photometry, double noise);
+
   /*! The residuals and sums of the last pass are those of the present parameters. */
-  void keepResiduals()
-  {
-    m_memory.residuals.swap(m_memory.trial);
-    m_memory.sums.swap(m_memory.trialSums);
-  }
+  void keepResiduals();
 
   /*!
     How much more the estimate varies than with independent noise, by what neighbouring pixels pull together: the mean
@@ -120,12 +119,16 @@ public:
   Explanation explain(double noise) const;
 
 private:
+  Equations pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts);
   double priorCost(const Photometry &photometry, double noise) const;
   void constrain(const Photometry &photometry, double noise, Equations &equations) const;
 
   const MarkerPattern &m_pattern; //!< The print that explains the pixels.
   FitSettings m_settings;         //!< What is fitted.
   FitMemory &m_memory;            //!< The pixels and their residuals.
+  ParameterMatrix m_matrix;       //!< Of the last pass of linearise() that was kept, without the priors.
+  ParameterMatrix m_trialMatrix;  //!< And of the last one.
+  bool m_trialHasProducts = false;
 };
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

@@ -48,6 +48,8 @@ constexpr double mostDamping = 1e6;
 // Decrease of that excess from step to step, and where it ends.
 constexpr double excessDecay = 0.5;
 constexpr double leastExcess = 0.3;
+// It has ended where the residuals' quantiles are those of noise, to this factor: chance alone makes 1.1 of 400 pixels.
+constexpr double likeNoise = 1.2;
 // Relative error of a cost, summed up in single precision.
 constexpr double rounding = 1e-6;
 // Reweighting alone makes a step too short: the biweight's slope, E[psi'] = 0.762, is less than its mean weight, 0.915.
@@ -55,6 +57,10 @@ constexpr double biweightStep = 0.915 / 0.762;
 // What a step leaves of the way: by the chance of the weights this share, and by the bend of the edges' profiles as
 // much as it moves them, in units of their blur.
 constexpr double stepError = 0.2;
+// The matrix of a pass serves for the next ones as long as the outline has moved by less than this, in units of the
+// blur, and the light, the contrast and the blur have changed by less than this share: by as much it is wrong.
+constexpr double nearMotion = 0.03;
+constexpr double nearLight = 0.01;
 // The pixels are sorted again by what they see when the pose has moved by this share of what the sorting leaves room
 // for.
 constexpr double sortAgain = 0.5;
@@ -68,6 +74,9 @@ constexpr double unevenAgain = 1.4;
 // And the surround is judged again when the light has changed by this share of it: white paper beyond the quiet zone
 // would be taken for something else.
 constexpr double judgeAgain = 0.005;
+
+// Who is still behind a rival by more than this share of how far it was before the last step does not catch up.
+constexpr double catchingUp = 0.5;
 
 void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &photometry)
 {
@@ -94,6 +103,12 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
     shadow.edge += step[shadowAt + 2];
     shadow.softness = std::clamp(shadow.softness + step[shadowAt + 3], leastSoftness, mostSoftness);
   }
+}
+
+bool isAlike(const Photometry &p, const Photometry &q)
+{
+  return std::abs(p.light - q.light) < nearLight * p.light && std::abs(p.contrast - q.contrast) < nearLight &&
+         std::abs(p.blur.sigma - q.blur.sigma) < nearLight * p.blur.sigma;
 }
 
 // Of the parameters that any pixel depends on.
@@ -238,12 +253,15 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
   }
   Equations equations = fit.linearise(result.plane, result.photometry, noise);
   fit.keepResiduals();
+  MarkerPlane linearisedAt = result.plane;
+  Photometry linearisedIn = result.photometry;
   double damping = 0.;
   // The noise comes down from what the edges' residuals are at the start to that of a right fit, so that they are not
   // taken for outliers while they are needed.
   double excess = start.noise ? 0. : 1.;
   int noiseUpdates = start.noise ? 0 : mostNoiseUpdates;
   ParameterVector lastStep = ParameterVector::Zero(); // beyond the equations
+  double behind = HUGE_VAL;                           // a rival, grey levels^2
   for (int iteration = 0; iteration < settings.mostIterations; ++iteration) {
     ParameterMatrix damped = equations.matrix;
     damped.diagonal() *= 1. + damping;
@@ -270,10 +288,16 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
       preparation.prepare(plane, result.photometry, noise);
       equations = fit.linearise(plane, result.photometry, noise);
       fit.keepResiduals();
+      linearisedAt = plane;
+      linearisedIn = result.photometry;
       continue;
     }
     if (isVisible(plane) && photometry.light > 0.) {
-      Equations trial = fit.linearise(plane, photometry, noise);
+      const bool isNear =
+          noiseUpdates == 0 && isAlike(linearisedIn, photometry) &&
+          outlineMotion(linearisedAt, plane) < nearMotion * memory.blocks.reference.unit * photometry.blur.sigma;
+      Equations trial = isNear ? fit.pull(plane, photometry, noise) : fit.linearise(plane, photometry, noise);
+      bool isLinearised = !isNear;
       if (trial.cost <= equations.cost * (1. + rounding)) {
         result.plane = plane;
         result.photometry = photometry;
@@ -281,13 +305,26 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
         if (isStale) {
           preparation.prepare(plane, photometry, noise);
           trial = fit.linearise(plane, photometry, noise);
+          isLinearised = true;
         }
         equations = trial;
         fit.keepResiduals();
+        if (isLinearised) {
+          linearisedAt = plane;
+          linearisedIn = photometry;
+        }
+        if (settings.rival) {
+          const double before = behind;
+          behind = fit.costOfResiduals(photometry, settings.rival->noise) - settings.rival->squares;
+          const double most = 2. * settings.rival->odds * settings.rival->noise * settings.rival->noise;
+          if (behind > most && behind > catchingUp * before) {
+            break;
+          }
+        }
         if (noiseUpdates > 0) {
           --noiseUpdates;
-          excess = excess > leastExcess ? excess * excessDecay : 0.;
           const ResidualSpread spread = fit.spreadOfResiduals();
+          excess = excess > leastExcess && spread.wide > likeNoise * spread.median ? excess * excessDecay : 0.;
           noise = std::max(spread.median, excess * spread.wide);
           equations.cost = fit.costOfResiduals(photometry, noise);
         }

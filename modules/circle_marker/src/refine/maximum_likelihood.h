@@ -63,21 +63,31 @@ constexpr int parameters = shadowAt + shadowSize;
 using ParameterVector = Eigen::Matrix<double, parameters, 1>;
 using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
 
-// Sums over the pixels of a direction: the lower triangle of the equations' matrix, row by row, their right-hand side,
-// the cost and what it takes to know the noise; a whole number of blocks of lanes.
-constexpr int products = parameters * (parameters + 1) / 2;
-constexpr std::size_t sumsOfDirection = (products + parameters + 3 + laneCount - 1) / laneCount * laneCount;
-using SumsOfDirection = std::array<double, sumsOfDirection>;
+// Sums over the pixels of a direction, in whole blocks of lanes: the lower triangle of the equations' matrix, row by
+// row; and their right-hand side, the cost and what it takes to know the noise.
+constexpr std::size_t wholeBlocks(std::size_t numbers)
+{
+  return (numbers + laneCount - 1) / laneCount * laneCount;
+}
+using ProductSums = std::array<double, wholeBlocks(parameters *(parameters + 1) / 2)>;
+using PullSums = std::array<double, wholeBlocks(parameters + 3)>;
+
+/*! Sums of a pass over the pixels, direction by direction. */
+struct PassSums
+{
+  std::vector<ProductSums> products;
+  std::vector<PullSums> pulls;
+};
 
 /*! Working memory of fits, used again from one to the next. */
 struct FitMemory
 {
-  PixelBlocks blocks;                     //!< The pixels.
-  std::vector<Lanes> residuals;           //!< Of the present parameters, block by block, grey levels.
-  std::vector<Lanes> trial;               //!< Of the last pass.
-  std::vector<float> absolute;            //!< For the median.
-  std::vector<SumsOfDirection> sums;      //!< Of the present parameters.
-  std::vector<SumsOfDirection> trialSums; //!< Of the last pass.
+  PixelBlocks blocks;           //!< The pixels.
+  std::vector<Lanes> residuals; //!< Of the present parameters, block by block, grey levels.
+  std::vector<Lanes> trial;     //!< Of the last pass.
+  std::vector<float> absolute;  //!< For the median.
+  PassSums sums;                //!< Of the present parameters.
+  PassSums trialSums;           //!< Of the last pass.
 };
 
 /*!

@@ -60,9 +60,11 @@ constexpr double coarseError = 2.;
 constexpr double fineError = 0.6;
 // Borders of sectors that a pixel may see in the first fits: of those farther away few see any.
 constexpr int coarseBorders = 3;
-// Last step of the coarse fit, in standard deviations, and its steps at most: a pose that fits badly creeps.
+// Last step of the coarse fit, in standard deviations, and its steps at most: a pose that fits badly creeps. Where there
+// is no code, or perhaps another one, even the right one may.
 constexpr double coarseConvergence = 0.5;
-constexpr int coarseIterations = 6;
+constexpr int coarseIterations = 4;
+constexpr int coarseIterationsUncertain = 6;
 // Looks at few pixels: those around an outline that is off by more than the blur do not show where it should be.
 constexpr int mostLooks = 3;
 constexpr double farOff = 0.8; // pixels
@@ -76,6 +78,9 @@ constexpr double mostGrowth = 0.9;
 constexpr double sameLight = 0.03;
 // A pose whose log-odds against are beyond this on the coarse pixels is not refined any further.
 constexpr double hopelessOdds = 30.;
+// And a fit that is so far behind another one, and does not catch up, is not taken to its end; if there is a code:
+// without one the poses differ by little, and come to their likelihoods slowly.
+constexpr double givenUpOdds = 3. * hopelessOdds;
 
 bool isSamePose(const FittedPose &p, const FittedPose &q)
 {
@@ -152,14 +157,20 @@ void keepTwo(Few<FittedPose> &ranked)
   ranked = kept;
 }
 
-// Fits every start on the pixels; those that lead nowhere are left out.
+// Fits every start on the pixels; those that lead nowhere are left out. A start is given up when it is behind the best
+// fit before it by some log-odds.
 Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> &starts, const MarkerPattern &pattern,
-                       const FitSettings &settings, Fitter &fitter)
+                       FitSettings settings, double givenUp, Fitter &fitter)
 {
   Few<FittedPose> fits;
   for (const FitStart &start : starts) {
-    if (const auto fit = fitter.fitPose(pixels, start, pattern, settings)) {
-      fits.push_back(*fit);
+    const auto fit = fitter.fitPose(pixels, start, pattern, settings);
+    if (!fit) {
+      continue;
+    }
+    fits.push_back(*fit);
+    if (pattern.sectors > 0 && fit->isSettled && (!settings.rival || fit->noise < settings.rival->noise)) {
+      settings.rival = Rival{fit->squares, fit->noise, givenUp};
     }
   }
   return fits;
@@ -177,7 +188,10 @@ double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, b
     for (FittedPose &fit : fits) {
       fit.squares = fitter.robustSquares(pixels, fit, pattern, surround, noise, exactBends);
     }
-    std::sort(fits.begin(), fits.end(), [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; });
+    const auto isBetter = [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; };
+    for (FittedPose *next = fits.begin(); next != fits.end(); ++next) {
+      std::iter_swap(next, std::min_element(next, fits.end(), isBetter));
+    }
   }
   return noise;
 }
@@ -235,7 +249,7 @@ RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &came
   for (int look = 0; look < mostLooks; ++look) {
     selectFewPixels(I, camera, frame, around.data(), around.size(), pattern, blur, memory.pixels);
     dropCovered(marker, memory.pixels);
-    Few<FittedPose> fits = fitAll(memory.pixels, starts, pattern, settings, *memory.fitter);
+    Few<FittedPose> fits = fitAll(memory.pixels, starts, pattern, settings, givenUpOdds, *memory.fitter);
     if (fits.empty()) {
       break;
     }
@@ -302,7 +316,8 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   coarse.poseError = coarseError;
   coarse.bordersSeen = coarseBorders;
   coarse.exactBends = false;
-  coarse.mostIterations = refine ? coarseIterations : 0;
+  const bool isCodeKnown = pattern.sectors > 0 && marker.isCertain;
+  coarse.mostIterations = !refine ? 0 : isCodeKnown ? coarseIterations : coarseIterationsUncertain;
   RankedFits few = fitFewPixels(I, camera, frame, marker, pattern, coarse, memory);
   if (marker.ringInner != marker.family.getLayout().ringInner && !isRightRing(few)) {
     pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
@@ -335,7 +350,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     for (const FittedPose &fit : fits) {
       starts.push_back({fit.plane, fit.photometry, noise});
     }
-    fits = fitAll(memory.pixels, starts, pattern, settings, *memory.fitter);
+    fits = fitAll(memory.pixels, starts, pattern, settings, givenUpOdds, *memory.fitter);
     if (fits.empty()) {
       return std::nullopt;
     }

@@ -108,7 +108,21 @@ public:
         view.change[static_cast<std::size_t>(k)] = after - before;
         before = after;
       }
+      m_isEdge[sector] = pattern.isBlack(nearest) != pattern.isBlack(nearest - 1) ? 1.f : 0.f;
+      m_isEdge[sector + pattern.sectors] = m_isEdge[sector];
     }
+    m_last = std::max(0, 2 * static_cast<int>(pattern.sectors) - 1);
+  }
+
+  // 1 for pixels at an angle on the plane that are farther than a margin from the border nearest to them, or have none
+  // there, else 0.
+  Lanes seesNoBorder(const Lanes &radius, const Lanes &margin, const Lanes &angle) const
+  {
+    const Lanes turned = angle * (m_sectors * 0.15915494f) + (m_sectors + 0.5f);
+    const Lanes border = turned.floor();
+    const Lanes isEdge = lanesOf([&](int lane) { return m_isEdge[numberOf(border[lane])]; });
+    const Lanes away = (turned - border - 0.5f).abs() * (6.2831853f / m_sectors) * radius;
+    return (isPositive(away - margin) + 1.f - isEdge).min(1.f);
   }
 
   // Puts what the pixels of a block see that are at (x, y) on the marker's plane.
@@ -116,12 +130,11 @@ public:
   {
     // Borders from -n / 2 to n / 2, shifted by n so that cutting off rounds them.
     const Lanes nearest = roughAngle(x, y) * (m_sectors * 0.15915494f) + (m_sectors + 0.5f);
-    const int count = static_cast<int>(m_sectors);
+    const auto count = static_cast<std::size_t>(m_sectors);
     std::array<const View *, laneCount> views;
     for (int lane = 0; lane < laneCount; ++lane) {
-      const int border = std::clamp(static_cast<int>(nearest[lane]), 0, 2 * count - 1);
-      views[static_cast<std::size_t>(lane)] =
-          &m_views[static_cast<std::size_t>(border < count ? border : border - count)];
+      const std::size_t border = numberOf(nearest[lane]);
+      views[static_cast<std::size_t>(lane)] = &m_views[border < count ? border : border - count];
     }
     const auto view = [&views](int lane) -> const View & { return *views[static_cast<std::size_t>(lane)]; };
     sectors.acrossX = lanesOf([&](int lane) { return view(lane).acrossX; });
@@ -139,7 +152,15 @@ private:
     float acrossX, acrossY, base;
     std::array<float, mostBorders> change;
   };
+  // A border's number from the turn before on.
+  std::size_t numberOf(float border) const
+  {
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(border), 0, m_last));
+  }
+
   std::array<View, 31> m_views;
+  std::array<float, 62> m_isEdge{}; // of two turns: 1 if the sectors to its sides differ
+  int m_last = 0;                   // border of the two turns
   float m_sectors;
   int m_borders;
 };
@@ -157,13 +178,38 @@ Lanes sightOf(const Lanes &radius, const Lanes &margin, const MarkerPattern &pat
   return seesTrack * (2.f - isPositive(ring - margin - radius));
 }
 
+// Within a kind and a direction, pixels come by the edges that they may see, so that a block sees as few as can be: the
+// ring's outer or inner circle; the track's outer rim, that and a border, a border, that and the inner rim, the inner
+// rim; or any.
+constexpr std::array<int, pixelSights> groups = {{2, 5, 1}};
+constexpr std::array<int, pixelSights + 1> firstBin = {{0, 2 * directions, 7 * directions, 8 * directions}};
+
+// The bins of pixels by their kind, direction and group, all whole numbers. In every other direction the groups come the
+// other way round, so that few blocks have pixels of more than one.
+Lanes binOf(const Lanes &kind, const Lanes &direction, const Lanes &group)
+{
+  const Lanes isTrack = 1.f - (kind - 1.f).abs();
+  const Lanes isBoth = (kind - 1.f).max(0.f);
+  const Lanes last = (1.f - kind).max(0.f) * static_cast<float>(groups[0] - 1) +
+                     isTrack * static_cast<float>(groups[1] - 1);
+  const Lanes isOdd = direction - 2.f * (0.5f * direction).floor();
+  return isTrack * static_cast<float>(firstBin[1]) + isBoth * static_cast<float>(firstBin[2]) +
+         direction * (last + 1.f) + group + isOdd * (last - 2.f * group);
+}
+
+unsigned char directionOf(int kind, int bin)
+{
+  return static_cast<unsigned char>((bin - firstBin[static_cast<std::size_t>(kind)]) /
+                                    groups[static_cast<std::size_t>(kind)]);
+}
+
 // Sorts pixels and writes them into blocks.
 class Packer
 {
 public:
   Packer(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
          const Photometry &photometry, double noise, PixelBlocks &blocks)
-      : m_pixels(pixels), m_pattern(pattern), m_photometry(photometry), m_noise(noise), m_blocks(blocks),
+      : m_pixels(pixels), m_isUniform(isUniform(pixels)), m_pattern(pattern), m_photometry(photometry), m_noise(noise), m_blocks(blocks),
         m_homography(plane, blocks.reference, photometry.blur.shape()), m_table(pattern, blocks.borders)
   {
   }
@@ -173,7 +219,7 @@ public:
   void sort(double seen)
   {
     constexpr float perTurn = static_cast<float>(directions) / 6.2831853f;
-    std::array<unsigned int, pixelSights *directions + 1> start = {};
+    std::array<unsigned int, firstBin[pixelSights] + 1> start = {};
     m_blocks.bins.resize(m_pixels.size());
     std::array<unsigned int, laneCount> numbers;
     PlaceLanes place;
@@ -185,22 +231,25 @@ public:
       }
       placeOf(numbers.data(), place);
       m_homography.apply(place, point);
-      const Lanes direction = (perTurn * (roughAngle(point.qx, point.qy) + 3.1415927f)).min(directions - 0.5f);
-      const Lanes sight = sightOf(point.radius, static_cast<float>(seen) * point.gradient, m_pattern);
-      const Lanes bins = static_cast<float>(directions) * sight + direction; // their whole part
+      const Lanes angle = roughAngle(point.qx, point.qy);
+      const Lanes direction = (perTurn * (angle + 3.1415927f)).max(0.f).min(directions - 0.5f).floor();
+      const Lanes margin = static_cast<float>(seen) * point.gradient;
+      const Lanes sight = sightOf(point.radius, margin, m_pattern);
+      const Lanes group = groupOf(sight, point.radius, margin, angle);
+      const Lanes bins = binOf(sight, direction, group);
       for (std::size_t k = 0; k < count; ++k) {
         // A pixel that does not see the plane has any place, but in the table.
-        const auto bin = std::min(static_cast<unsigned int>(bins[static_cast<std::ptrdiff_t>(k)]),
-                                  static_cast<unsigned int>(start.size() - 2));
+        const int bin = std::clamp(static_cast<int>(bins[static_cast<std::ptrdiff_t>(k)]), 0, firstBin[pixelSights] - 1);
         m_blocks.bins[first + k] = static_cast<unsigned char>(bin);
-        ++start[bin + 1];
+        ++start[static_cast<std::size_t>(bin) + 1];
       }
     }
     for (std::size_t bin = 1; bin < start.size(); ++bin) {
       start[bin] += start[bin - 1];
     }
     for (std::size_t kind = 0; kind < pixelSights; ++kind) {
-      m_blocks.count[kind] = start[(kind + 1) * directions] - start[kind * directions];
+      m_blocks.count[kind] = start[static_cast<std::size_t>(firstBin[kind + 1])] -
+                             start[static_cast<std::size_t>(firstBin[kind])];
     }
     m_blocks.sortedPixels.resize(m_pixels.size());
     for (std::size_t k = 0; k < m_pixels.size(); ++k) {
@@ -221,7 +270,7 @@ public:
       m_blocks.direction[kind].clear();
       for (PixelBlock &block : blocks) {
         m_blocks.direction[kind].push_back(
-            static_cast<unsigned char>(m_blocks.bins[m_blocks.sortedPixels[first]] % directions));
+            directionOf(static_cast<int>(kind), m_blocks.bins[m_blocks.sortedPixels[first]]));
         const std::size_t count = std::min<std::size_t>(laneCount, end - first);
         fillBlock(&m_blocks.sortedPixels[first], count, static_cast<PixelSight>(kind), block);
         first += count;
@@ -230,6 +279,24 @@ public:
   }
 
 private:
+  // Which edges pixels may see, as binOf() counts them.
+  Lanes groupOf(const Lanes &sight, const Lanes &radius, const Lanes &margin, const Lanes &angle) const
+  {
+    const auto middle = static_cast<float>(0.5 * (m_pattern.ring[0].radius + m_pattern.ring[1].radius));
+    const Lanes isInner = isPositive(middle - radius);
+    if (m_pattern.sectors == 0) {
+      return isInner;
+    }
+    const auto outerRim = static_cast<float>(m_pattern.track[0].radius);
+    const auto innerRim = static_cast<float>(m_pattern.track[1].radius);
+    const Lanes seesOuter = isPositive(radius - outerRim + margin);
+    const Lanes seesInner = isPositive(innerRim + margin - radius) * (1.f - seesOuter);
+    const Lanes seesNoBorder = m_table.seesNoBorder(radius, margin, angle);
+    const Lanes isTrack = isPositive(sight - 0.5f) * isPositive(1.5f - sight);
+    const Lanes atRim = 2.f + (seesInner - seesOuter) * (1.f + seesNoBorder);
+    return isTrack * atRim + isPositive(0.5f - sight) * isInner;
+  }
+
   // Places of eight pixels in the units of the blocks.
   void placeOf(const unsigned int *numbers, PlaceLanes &place) const
   {
@@ -238,16 +305,24 @@ private:
       pixels[k] = &m_pixels[numbers[k]];
     }
     const auto pixel = [&pixels](int lane) -> const FitPixel & { return *pixels[static_cast<std::size_t>(lane)]; };
+    const ImageReference &reference = m_blocks.reference;
+    const auto perUnit = static_cast<float>(1. / reference.unit);
     place.x = lanesOf([&](int lane) { return pixel(lane).meter.x(); });
     place.y = lanesOf([&](int lane) { return pixel(lane).meter.y(); });
+    place.x = perUnit * (place.x - static_cast<float>(reference.meter.x()));
+    place.y = perUnit * (place.y - static_cast<float>(reference.meter.y()));
+    if (m_isUniform) {
+      const Eigen::Matrix2f derivative = perUnit * m_pixels[0].meterPerPixel;
+      place.xByU.setConstant(derivative(0, 0));
+      place.xByV.setConstant(derivative(0, 1));
+      place.yByU.setConstant(derivative(1, 0));
+      place.yByV.setConstant(derivative(1, 1));
+      return;
+    }
     place.xByU = lanesOf([&](int lane) { return pixel(lane).meterPerPixel(0, 0); });
     place.xByV = lanesOf([&](int lane) { return pixel(lane).meterPerPixel(0, 1); });
     place.yByU = lanesOf([&](int lane) { return pixel(lane).meterPerPixel(1, 0); });
     place.yByV = lanesOf([&](int lane) { return pixel(lane).meterPerPixel(1, 1); });
-    const ImageReference &reference = m_blocks.reference;
-    const auto perUnit = static_cast<float>(1. / reference.unit);
-    place.x = perUnit * (place.x - static_cast<float>(reference.meter.x()));
-    place.y = perUnit * (place.y - static_cast<float>(reference.meter.y()));
     for (Lanes *lanes : {&place.xByU, &place.xByV, &place.yByU, &place.yByV}) {
       *lanes = perUnit * *lanes;
     }
@@ -300,7 +375,16 @@ private:
     }
   }
 
+  // Whether all pixels have the same derivative, as with a camera without distortion.
+  static bool isUniform(const std::vector<FitPixel> &pixels)
+  {
+    return std::all_of(pixels.begin(), pixels.end(), [&](const FitPixel &pixel) {
+      return (pixel.meterPerPixel.array() == pixels.front().meterPerPixel.array()).all();
+    });
+  }
+
   const std::vector<FitPixel> &m_pixels;
+  const bool m_isUniform;
   const MarkerPattern &m_pattern;
   const Photometry &m_photometry;
   const double m_noise;

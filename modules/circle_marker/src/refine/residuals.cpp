@@ -41,27 +41,33 @@ constexpr double leastClearPixels = 20.;
 ResidualSpread Likelihood::spreadOfResiduals()
 {
   std::vector<float> &absolute = m_memory.absolute;
-  absolute.clear();
+  absolute.resize(laneCount * m_memory.residuals.size() + 1);
+  std::size_t count = 0;
   std::size_t k = 0;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
-    const Lanes &residual = m_memory.residuals[k++];
+    const Lanes size = m_memory.residuals[k++].abs();
     for (int lane = 0; lane < laneCount; ++lane) {
       // What is as bright as can be tells nothing of the noise.
-      if (block.variance[lane] < static_cast<float>(quantisation * quantisation) && block.grey[lane] < brightest) {
-        absolute.push_back(std::abs(residual[lane]));
-      }
+      absolute[count] = size[lane];
+      const bool counts =
+          block.variance[lane] < static_cast<float>(quantisation * quantisation) && block.grey[lane] < brightest;
+      count += counts ? 1 : 0;
     }
   });
-  if (absolute.empty()) {
+  if (count == 0) {
     return {HUGE_VAL, HUGE_VAL};
   }
-  const auto quantile = [&absolute](double share) {
-    const auto place = absolute.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(absolute.size()));
-    std::nth_element(absolute.begin(), place, absolute.end());
-    return static_cast<double>(*place);
+  const auto placeOf = [&](double share) {
+    return absolute.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(count));
   };
-  return {std::max(quantile(0.5) * sigmaOfMedian, quantisation),
-          std::max(quantile(0.8) * sigmaOfQuantile, quantisation)};
+  const auto end = absolute.begin() + static_cast<std::ptrdiff_t>(count);
+  const auto upper = placeOf(0.8);
+  std::nth_element(absolute.begin(), upper, end);
+  const double wide = static_cast<double>(*upper) * sigmaOfQuantile;
+  const auto middle = placeOf(0.5); // it lies below the other
+  std::nth_element(absolute.begin(), middle, upper);
+  const double median = static_cast<double>(*middle) * sigmaOfMedian;
+  return {std::max(median, quantisation), std::max(wide, quantisation)};
 }
 
 double Likelihood::unevenShareOfResiduals(double noise) const

@@ -81,12 +81,12 @@ public:
     return true;
   }
 
-  // Goes to the tile around a pixel.
-  void enter(const ModelPixel &center)
+  // Goes to the tile that the hypotheses look at.
+  template <std::size_t most> void enter(const std::array<TileView, most> &hypotheses)
   {
     m_isNear = false;
     for (std::size_t i = 0; i < m_count; ++i) {
-      const PlanePoint point = planePoint(center, m_planes[i]);
+      const PlanePoint &point = hypotheses[i].center();
       const double reach =
           clearOfSurround * m_blur * (point.byPixel * m_blurShape).norm() + tileRadius * point.byPixel.norm();
       m_isNear = m_isNear || point.q.norm() > m_outermost - reach;

@@ -47,8 +47,10 @@ struct Tile
   Eigen::Matrix2d metric;
   double mostGradient = 0.;               // of any direction, in those coordinates
   double reach = 0.;                      // how far from the tile's centre an edge may be that it sees, on the plane
-  std::array<Eigen::Vector2f, 3> borders; // unit vectors across edges between sectors, divided by their gradient
+  // Unit vectors across edges between sectors, toward the black side, divided by their gradient.
+  std::array<Eigen::Vector2f, 3> borders;
   int bordersSeen = 0;
+  bool isBlack = false;     // its centre's sector
   bool everySector = false; // sectors are so narrow that there is no need to look for their borders
 };
 
@@ -83,10 +85,14 @@ public:
     if (radius > m_pattern.track[0].radius + change || radius < m_pattern.track[1].radius - change) {
       return isNear;
     }
-    isNear = isNear || std::abs(radius - m_pattern.track[0].radius) < change ||
-             std::abs(radius - m_pattern.track[1].radius) < change;
-    return seeBorders(radius) || isNear;
+    const bool seesBorders = seeBorders(radius);
+    const bool isAtRim = std::abs(radius - m_pattern.track[0].radius) < change ||
+                         std::abs(radius - m_pattern.track[1].radius) < change;
+    return isNear || seesBorders || (isAtRim && m_tile.isBlack);
   }
+
+  // Where the tile's centre is.
+  const PlanePoint &center() const { return m_tile.center; }
 
   // Distance of the pixels of a row of the tile to the nearest edge; row: its distance below the tile's centre, pixels.
   Lanes distances(double row) const
@@ -110,20 +116,27 @@ public:
     if (m_pattern.sectors == 0) {
       return nearest;
     }
-    nearest = nearest.min(toCircle(m_pattern.track[0])).min(toCircle(m_pattern.track[1]));
+    const Lanes toRim = toCircle(m_pattern.track[0]).min(toCircle(m_pattern.track[1]));
     // Outside of the track a border counts from the rim on: the larger of both distances is near enough.
     const Lanes outside = ((radius - static_cast<float>(m_pattern.track[0].radius))
                                .max(static_cast<float>(m_pattern.track[1].radius) - radius)
                                .max(0.f)) *
                           perGradient;
     if (m_tile.everySector) {
-      return nearest.min(outside);
+      return nearest.min(toRim).min(outside);
     }
+    // The rims are edges where the track is black: on the black side of the nearest border, and a band beyond.
+    Lanes toBorder = Lanes::Constant(HUGE_VALF);
+    Lanes toBlack = Lanes::Constant(m_tile.isBlack ? 0.f : HUGE_VALF);
     for (int k = 0; k < m_tile.bordersSeen; ++k) {
       const Eigen::Vector2f &across = m_tile.borders[static_cast<std::size_t>(k)];
-      nearest = nearest.min((across.x() * qx + across.y() * qy).abs().max(outside));
+      const Lanes inside = across.x() * qx + across.y() * qy;
+      const Lanes distance = inside.abs();
+      const Lanes white = (-inside).max(0.f);
+      toBlack = k == 0 ? white : chosen(distance, toBorder, white, toBlack);
+      toBorder = toBorder.min(distance);
     }
-    return nearest;
+    return nearest.min(toRim.max(toBlack)).min(toBorder.max(outside));
   }
 
 private:
@@ -138,6 +151,8 @@ private:
       return true;
     }
     const int nearest = m_pattern.nearestBorder(m_tile.center.q);
+    m_tile.isBlack =
+        m_pattern.isBlack(m_pattern.acrossBorder(nearest).dot(m_tile.center.q) > 0. ? nearest : nearest - 1);
     for (int border = nearest - 1; border <= nearest + 1; ++border) {
       if (m_pattern.isBlack(border) == m_pattern.isBlack(border - 1)) {
         continue;
@@ -146,7 +161,8 @@ private:
       const double gradient = std::sqrt(across.dot(m_tile.metric * across));
       const double perPixel = (m_tile.center.byPixel.transpose() * across).norm();
       if (std::abs(across.dot(m_tile.center.q)) < m_band * gradient + tileRadius * perPixel) {
-        m_tile.borders[static_cast<std::size_t>(m_tile.bordersSeen++)] = (across / gradient).cast<float>();
+        const double toBlack = m_pattern.isBlack(border) ? 1. : -1.;
+        m_tile.borders[static_cast<std::size_t>(m_tile.bordersSeen++)] = (toBlack / gradient * across).cast<float>();
       }
     }
     return m_tile.bordersSeen > 0;
