@@ -86,6 +86,24 @@ TEST(DetectorReach, RingsFromAMinorAxisOfEightPixelsOnWhite)
   expectReach({vpCircleMarkerFamily::RING, 8., 12., 1.3, 220., 220., 0.97});
 }
 
+// The ring is in the image, its quiet zone is not, in up to a third of the directions.
+TEST(DetectorReach, RingsAtTheImagesBorder)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::RING);
+  vpDetectorCircleMarker detector(family);
+  for (int image = 0; image < 12; ++image) {
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    const double diameter = uniform(random, 60., 250.);
+    const double v = height - 0.5 * diameter - uniform(random, 1.5, 0.07 * diameter); // the quiet zone has a twelfth
+    simulator.addMarker(printed(family, -1).setPose(
+        randomPose(random, diameter, uniform(random, 0., 0.1), uniform(random, 0.4, 0.6) * width, v)));
+    vpImage<unsigned char> I;
+    simulator.render(I, random());
+    EXPECT_TRUE(detector.detect(I)) << "image " << image << ", diameter " << diameter << " pixels";
+  }
+}
+
 // A sector is as long as the blur is wide: 1.2 pixels where the ellipse is narrow, or less. None may be read as
 // another.
 TEST(DetectorReach, CodesWhoseSectorsAreAsSmallAsTheBlur)

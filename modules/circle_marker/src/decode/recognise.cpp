@@ -144,6 +144,30 @@ std::optional<Recognition> recogniseBlurred(const vpImage<unsigned char> &I, con
   return result;
 }
 
+// Inner radius of a ring without a code at a pose, in units of the outer: that of the design if it is near; 0 of a disc.
+Judged<double> innerRadiusAt(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                             const EllipseCandidate &outline, const vpCircleMarkerFamily &family)
+{
+  const auto profile = radialProfile(I, camera, plane);
+  if (!profile) {
+    return vpCircleMarkerReject::OUT_OF_IMAGE;
+  }
+  const auto inner = innerRadius(*profile, shareOfContrast * outline.contrast);
+  if (!inner) {
+    return vpCircleMarkerReject::NO_RING;
+  }
+  if ((*inner == 0.) != (family.getType() == vpCircleMarkerFamily::DISC)) {
+    return vpCircleMarkerReject::OTHER_SHAPE;
+  }
+  const double nominal = family.getLayout().ringInner;
+  const double slack = sameRatio + sameRatioPixels / outline.ellipse.b;
+  const double radius = std::abs(*inner - nominal) < slack ? nominal : *inner;
+  if (!hasShapeAllAround(I, camera, plane, family.getLayout(), radius)) {
+    return vpCircleMarkerReject::NOT_ALL_AROUND;
+  }
+  return radius;
+}
+
 Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
                                    const EllipseCandidate &outline, const vpCircleMarkerFamily &family)
 {
@@ -154,29 +178,21 @@ Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const Camera
   if (isSmallRing) {
     return vpCircleMarkerReject::TOO_SMALL;
   }
-  const auto profile = radialProfile(I, camera, poses[0]);
-  if (!profile) {
-    return vpCircleMarkerReject::OUT_OF_IMAGE;
+  // At the mirrored pose the inner circle of a large ring lies beside where it should be.
+  vpCircleMarkerReject farthest = vpCircleMarkerReject::NONE;
+  for (const MarkerPlane &plane : poses) {
+    const Judged<double> inner = innerRadiusAt(I, camera, plane, outline, family);
+    if (inner) {
+      Recognition result;
+      result.family = family;
+      result.code.margin = 1.;
+      result.ringInner = *inner;
+      result.poses = poses;
+      return result;
+    }
+    farthest = std::max(farthest, inner.reason());
   }
-  const auto inner = innerRadius(*profile, shareOfContrast * outline.contrast);
-  const bool isDisc = inner && *inner == 0.;
-  if (!inner) {
-    return vpCircleMarkerReject::NO_RING;
-  }
-  if (isDisc != (family.getType() == vpCircleMarkerFamily::DISC)) {
-    return vpCircleMarkerReject::OTHER_SHAPE;
-  }
-  Recognition result;
-  result.family = family;
-  result.code.margin = 1.;
-  const double nominal = family.getLayout().ringInner;
-  const double slack = sameRatio + sameRatioPixels / outline.ellipse.b;
-  result.ringInner = std::abs(*inner - nominal) < slack ? nominal : *inner;
-  if (!hasShapeAllAround(I, camera, poses[0], family.getLayout(), result.ringInner)) {
-    return vpCircleMarkerReject::NOT_ALL_AROUND;
-  }
-  result.poses = poses;
-  return result;
+  return farthest;
 }
 } // namespace
 

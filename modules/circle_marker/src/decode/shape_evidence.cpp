@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Cholesky>
 
@@ -100,6 +101,13 @@ struct Outline
 {
   Greys pixelsPerUnit; // see above
   Greys radius;        // of the true outline, in units of the radius of the one that was found
+
+  // Grey level at a radius in one direction; nothing outside of the image.
+  std::optional<double> sample(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                               double at, std::size_t direction) const
+  {
+    return bilinear(I, camera.toPixel(plane.project(onCircle(radius[direction] * at, direction))));
+  }
 };
 
 // Both edges of a thin ring are found farther apart than they are: the gradient of a dark line of width w has its
@@ -122,7 +130,7 @@ bool sampleCircle(const vpImage<unsigned char> &I, const CameraModel &camera, co
                   const Outline &outline, Circle &circle)
 {
   for (std::size_t i = 0; i < directions; ++i) {
-    const auto grey = bilinear(I, camera.toPixel(plane.project(onCircle(outline.radius[i] * circle.radius, i))));
+    const auto grey = outline.sample(I, camera, plane, circle.radius, i);
     if (!grey) {
       return false;
     }
@@ -272,14 +280,20 @@ bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camer
   Circle dark = {isDisc ? rimOfDisc : 0.5 * (1. + ringInner), {}};
   Circle inside = {isDisc ? insideOfDisc : insideOfRing * ringInner, {}};
   const Outline outline = outlineOf(camera, plane, ringInner);
-  if (!sampleCircle(I, camera, plane, outline, outside) || !sampleCircle(I, camera, plane, outline, dark) ||
-      !sampleCircle(I, camera, plane, outline, inside)) {
+  if (!sampleCircle(I, camera, plane, outline, dark) || !sampleCircle(I, camera, plane, outline, inside)) {
     return false;
+  }
+  std::array<bool, directions> isAsked;
+  for (std::size_t i = 0; i < directions; ++i) {
+    const auto grey = outline.sample(I, camera, plane, outside.radius, i);
+    if (!grey && isDisc) {
+      return false;
+    }
+    isAsked[i] = grey.has_value();
+    outside.greys[i] = grey ? *grey : inside.greys[i]; // the quiet zone may end at the image's border
   }
   Circle surround = lookAround(I, camera, plane, outline, layout.quietZone, dark);
   const MarkerLight light(outside.greys.data(), directions, outside.radius, 0.);
-  std::array<bool, directions> isAsked;
-  isAsked.fill(true);
   if (light.hasShadow() && isShadow(light, dark)) { // all as it would be in the light
     for (std::size_t i = 0; i < directions; ++i) {
       const double edge = edgeOfShadow / outline.pixelsPerUnit[i];
