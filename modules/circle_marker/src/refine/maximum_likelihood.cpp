@@ -48,8 +48,6 @@ constexpr double mostDamping = 1e6;
 // Decrease of that excess from step to step, and where it ends.
 constexpr double excessDecay = 0.5;
 constexpr double leastExcess = 0.3;
-// It has ended where the residuals' quantiles are those of noise, to this factor: chance alone makes 1.1 of 400 pixels.
-constexpr double likeNoise = 1.2;
 // Relative error of a cost, summed up in single precision.
 constexpr double rounding = 1e-6;
 // Reweighting alone makes a step too short: the biweight's slope, E[psi'] = 0.762, is less than its mean weight, 0.915.
@@ -58,9 +56,11 @@ constexpr double biweightStep = 0.915 / 0.762;
 // much as it moves them, in units of their blur.
 constexpr double stepError = 0.2;
 // The matrix of a pass serves for the next ones as long as the outline has moved by less than this, in units of the
-// blur, and the light, the contrast and the blur have changed by less than this share: by as much it is wrong.
+// blur, and the light, the contrast and the blur have changed by less than this share: by as much it is wrong. And as
+// long as each step, in standard deviations, is shorter than the one before by this factor.
 constexpr double nearMotion = 0.03;
 constexpr double nearLight = 0.01;
+constexpr double shorter = 0.5;
 // The pixels are sorted again by what they see when the pose has moved by this share of what the sorting leaves room
 // for.
 constexpr double sortAgain = 0.5;
@@ -261,6 +261,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
   double excess = start.noise ? 0. : 1.;
   int noiseUpdates = start.noise ? 0 : mostNoiseUpdates;
   ParameterVector lastStep = ParameterVector::Zero(); // beyond the equations
+  double lastSize = HUGE_VAL;                         // of a step, standard deviations
   double behind = HUGE_VAL;                           // a rival, grey levels^2
   for (int iteration = 0; iteration < settings.mostIterations; ++iteration) {
     ParameterMatrix damped = equations.matrix;
@@ -294,10 +295,11 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
     }
     if (isVisible(plane) && photometry.light > 0.) {
       const bool isNear =
-          noiseUpdates == 0 && isAlike(linearisedIn, photometry) &&
+          noiseUpdates == 0 && size < shorter * lastSize && isAlike(linearisedIn, photometry) &&
           outlineMotion(linearisedAt, plane) < nearMotion * memory.blocks.reference.unit * photometry.blur.sigma;
       Equations trial = isNear ? fit.pull(plane, photometry, noise) : fit.linearise(plane, photometry, noise);
       bool isLinearised = !isNear;
+      lastSize = size;
       if (trial.cost <= equations.cost * (1. + rounding)) {
         result.plane = plane;
         result.photometry = photometry;
@@ -324,7 +326,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
         if (noiseUpdates > 0) {
           --noiseUpdates;
           const ResidualSpread spread = fit.spreadOfResiduals();
-          excess = excess > leastExcess && spread.wide > likeNoise * spread.median ? excess * excessDecay : 0.;
+          excess = excess > leastExcess ? excess * excessDecay : 0.;
           noise = std::max(spread.median, excess * spread.wide);
           equations.cost = fit.costOfResiduals(photometry, noise);
         }
