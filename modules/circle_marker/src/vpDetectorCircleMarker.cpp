@@ -50,16 +50,19 @@ vpCameraParameters nominalCamera(const vpImage<unsigned char> &I)
 }
 
 // As vpDetectorAprilTag's, and what the database knows of the marker.
-std::string messageOf(const vpCircleMarkerDetection &d, const vpCircleMarkerEntry *entry)
+void putMessage(const vpCircleMarkerDetection &d, const vpCircleMarkerEntry *entry, std::string &message)
 {
-  std::string message = d.family.isCoded() ? d.family.getName() + " id: " + std::to_string(d.id) : d.family.getName();
+  message = d.family.getName();
+  if (d.family.isCoded()) {
+    message += " id: ";
+    message += std::to_string(d.id);
+  }
   if (entry != nullptr && !entry->name.empty()) {
     message += " name: " + entry->name;
   }
   if (entry != nullptr && !entry->payload.empty()) {
     message += " payload: " + entry->payload;
   }
-  return message;
 }
 } // namespace
 
@@ -79,15 +82,14 @@ void vpDetectorCircleMarker::Impl::detectBlack(const vpImage<unsigned char> &I, 
   }
   // Assigned, not made anew: ViSP's matrices then keep their memory.
   std::size_t count = 0;
-  for (Examination &examination : m_examinations) {
-    if (examination.found) {
+  for (const Examination &examination : m_examinations) {
+    if (examination.isFound) {
       if (count == found.size()) {
         found.emplace_back();
         detections.emplace_back();
       }
-      detections[count] = examination.found->detection;
-      found[count] = std::move(*examination.found);
-      examination.found.reset();
+      found[count] = m_measured[examination.place];
+      detections[count] = found[count].detection;
       ++count;
     }
   }
@@ -138,6 +140,7 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
 {
   const Deadline &deadline = visit.deadline;
   m_examinations.assign(outlines.size(), Examination());
+  m_measured.clear();
   listAttempts(settings.families, m_attempts);
   bool isOver = false;
   while (!isOver) {
@@ -162,22 +165,17 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
         m_chosen.push_back(i);
       }
     }
-    m_workers.run(m_chosen.size(), [&](std::size_t k, unsigned int worker) {
-      Examination &examination = m_examinations[m_chosen[k]];
-      if (!deadline.hasPassed()) {
-        examination.found = measureMarker(visit, outlines[m_chosen[k]], *examination.marker, m_benches[worker]);
-      }
-    });
+    measureChosen(visit, outlines);
     isOver = deadline.hasPassed();
     bool someAreNone = false;
     for (const std::size_t i : m_chosen) {
       Examination &examination = m_examinations[i];
-      examination.isOver = examination.found || examination.attempt == m_attempts.size();
-      if (!examination.candidates.empty() && !examination.found) {
+      examination.isOver = examination.isFound || examination.attempt == m_attempts.size();
+      if (!examination.candidates.empty() && !examination.isFound) {
         examination.candidates.back().reason =
             isOver ? vpCircleMarkerReject::TIMEOUT : vpCircleMarkerReject::UNLIKE_THE_MODEL;
       }
-      if (!examination.found) { // it may be of the next family, and what lies inside of it has its turn
+      if (!examination.isFound) { // it may be of the next family, and what lies inside of it has its turn
         examination.marker.reset();
         examination.isRead = false;
         someAreNone = true;
@@ -188,6 +186,21 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
   if (keepsDebug) {
     keepCandidates(outlines);
   }
+}
+
+/*! The chosen outlines through the room refine, on all threads. */
+void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outlines &outlines)
+{
+  for (const std::size_t i : m_chosen) {
+    m_examinations[i].place = m_measured.size();
+    m_measured.append();
+  }
+  m_workers.run(m_chosen.size(), [&](std::size_t k, unsigned int worker) {
+    Examination &examination = m_examinations[m_chosen[k]];
+    examination.isFound = !visit.deadline.hasPassed() &&
+                          measureMarker(visit, outlines[m_chosen[k]], *examination.marker, m_benches[worker],
+                                        m_measured[examination.place]);
+  });
 }
 
 /*!
@@ -332,9 +345,11 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size
   fill(cMo_vec2, [](const Detection &d) -> const Matrix & { return d.hasSecondPose ? d.cMo2 : d.cMo; });
   fill(projErrors, [](const Detection &d) { return d.cost; });
   fill(projErrors2, [](const Detection &d) { return d.cost2; });
-  fill(&m_message, [this](const Detection &d) { return messageOf(d, m_impl->database.find(d.family, d.id)); });
+  m_message.resize(m_nb_objects);
   m_polygon.resize(m_nb_objects);
   for (std::size_t i = 0; i < m_nb_objects; ++i) {
+    const Detection &detection = m_impl->detections[i];
+    putMessage(detection, m_impl->database.find(detection.family, detection.id), m_message[i]);
     m_polygon[i] = m_impl->found[i].polygon;
   }
   if (m_impl->displayTag) {

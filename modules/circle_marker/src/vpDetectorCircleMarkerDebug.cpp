@@ -63,7 +63,7 @@ void vpDetectorCircleMarker::Impl::keepCandidates(const Outlines &outlines)
 {
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     std::vector<vpCircleMarkerCandidate> &candidates = m_examinations[i].candidates;
-    if (!m_examinations[i].found && m_chosenPlaces.hold(outlines[i].ellipse)) {
+    if (!m_examinations[i].isFound && m_chosenPlaces.hold(outlines[i].ellipse)) {
       candidates = {candidateOf(outlines[i], settings.families.front(), vpCircleMarkerReject::INSIDE_OF_A_MARKER)};
     }
     else if (candidates.empty()) {

@@ -81,7 +81,8 @@ private:
     bool isRead = false;                              //!< Whether that was done.
     bool isOver = false;                              //!< Whether it is found, or is none.
     std::optional<circle_marker::Recognition> marker; //!< What it was read as.
-    std::optional<Found> found;                       //!< What was measured of it.
+    std::size_t place = 0;                            //!< Of what was measured of it, in m_measured.
+    bool isFound = false;                             //!< Whether that is a marker.
     std::vector<vpCircleMarkerCandidate> candidates;  //!< What it was tried as, if that is to be shown.
   };
   /*! Working memory of one thread. */
@@ -117,8 +118,9 @@ private:
                  const circle_marker::PosePair &poses, const vpCircleMarkerFamily &family,
                  Examination &examination) const;
   double sizeOf(const circle_marker::Recognition &marker, double usual) const;
-  std::optional<Found> measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
-                                     circle_marker::Recognition marker, Bench &bench) const;
+  bool measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
+                     circle_marker::Recognition marker, Bench &bench, Found &measured) const;
+  void measureChosen(const Visit &visit, const Outlines &outlines);
   void keepSeen(const Outlines &outlines);
   void keepCandidates(const Outlines &outlines);
   void keepSurroundings(const vpImage<unsigned char> &I);
@@ -133,6 +135,7 @@ private:
   circle_marker::Workers m_workers;               //!< Threads.
   std::vector<Bench> m_benches;                   //!< One for each thread.
   std::vector<Examination> m_examinations;        //!< One for each outline.
+  circle_marker::ReusedList<Found> m_measured;    //!< What was measured of outlines.
   std::vector<circle_marker::Attempt> m_attempts; //!< The ways to read an outline.
   std::vector<std::size_t> m_chosen;              //!< Outlines to be read or measured together.
   circle_marker::MarkerPlaces m_chosenPlaces;     //!< Where they are.

@@ -120,10 +120,9 @@ double vpDetectorCircleMarker::Impl::sizeOf(const Recognition &marker, double us
   return entry != nullptr ? entry->size : known != settings.sizes.end() ? known->second : usual;
 }
 
-/*! A marker through the room refine. */
-std::optional<vpDetectorCircleMarker::Impl::Found>
-vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline, Recognition marker,
-                                            Bench &bench) const
+/*! A marker through the room refine; false if it turns out to be none. The place of the result is used again. */
+bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline,
+                                                 Recognition marker, Bench &bench, Found &measured) const
 {
   const bool isProofWanted =
       settings.refinePose && !marker.seen && !marker.blurred && wantsProof(outline.ellipse, marker.family);
@@ -133,7 +132,7 @@ vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCan
           : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring));
   if (!measurement || (settings.refinePose && !isProofWanted &&
                        !explainsCorrections(visit.I, visit.camera, marker, *measurement, bench.measuring))) {
-    return std::nullopt;
+    return false;
   }
   if (isProofWanted) { // it may be another marker than was read
     scaleTo(sizeOf(marker, visit.size), measurement->first);
@@ -142,14 +141,16 @@ vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCan
     }
   }
   const double visible = marker.seen ? marker.seen->share() : outline.support;
-  vpCircleMarkerDetection detection =
-      reportOf(marker, *measurement, visit.camera, visible, settings.zAlignedWithCameraAxis);
+  vpCircleMarkerDetection &detection = measured.detection;
+  putReport(marker, *measurement, visit.camera, visible, settings.zAlignedWithCameraAxis, detection);
   if (settings.refinePose && marker.family.getType() == vpCircleMarkerFamily::RING &&
       detection.ellipse.b < leastRingSemiMinor) {
-    return std::nullopt;
+    return false;
   }
-  return Found{std::move(detection), marker, outline,
-               outlineOf(marker, measurement->first.plane, visit.camera, polygonPoints)};
+  putOutline(marker, measurement->first.plane, visit.camera, polygonPoints, measured.polygon);
+  measured.marker = std::move(marker);
+  measured.outline = outline;
+  return true;
 }
 
 END_VISP_NAMESPACE

@@ -72,8 +72,9 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
     return std::nullopt;
   }
   const Deadline never;
-  const auto measured = measureMarker({kept, size, camera, never}, known.outline, *marker, bench);
-  return measured ? std::optional<vpCircleMarkerDetection>(measured->detection) : std::nullopt;
+  Found measured;
+  const bool isMeasured = measureMarker({kept, size, camera, never}, known.outline, *marker, bench, measured);
+  return isMeasured ? std::optional<vpCircleMarkerDetection>(measured.detection) : std::nullopt;
 }
 
 /*!

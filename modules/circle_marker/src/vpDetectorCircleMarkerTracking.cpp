@@ -105,8 +105,8 @@ void vpDetectorCircleMarker::Impl::keepSeen(const Outlines &outlines)
 {
   m_seen.clear();
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    if (m_examinations[i].found) {
-      const Recognition &marker = m_examinations[i].found->marker;
+    if (m_examinations[i].isFound) {
+      const Recognition &marker = m_measured[m_examinations[i].place].marker;
       m_seen.push_back({marker.family.getType(), marker.code.id, outlines[i].ellipse});
     }
   }

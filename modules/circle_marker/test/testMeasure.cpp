@@ -196,7 +196,8 @@ TEST(Report, CovarianceInTheCameraFrame)
   const Recognition marker = recognised(scene, 8, false);
   auto result = measure(digitise(expose(side, side, 0.7, scene), 2., random), camera, marker, true, memory);
   ASSERT_TRUE(result);
-  const vpCircleMarkerDetection detection = reportOf(marker, *result, camera, 0.9, true);
+  vpCircleMarkerDetection detection;
+  putReport(marker, *result, camera, 0.9, true, detection);
   EXPECT_EQ(detection.dof, 6u);
   EXPECT_EQ(detection.visible, 0.9);
   EXPECT_EQ(detection.id, 8);
@@ -235,8 +236,10 @@ TEST(Report, FramesSpinAndEllipse)
     const Recognition marker = recognised(scene, id, false);
     const auto result = measure(photograph(side, side, 0.7, scene), camera, marker, true, memory);
     ASSERT_TRUE(result);
-    const vpCircleMarkerDetection aligned = reportOf(marker, *result, camera, 1., true);
-    const vpCircleMarkerDetection turned = reportOf(marker, *result, camera, 1., false);
+    vpCircleMarkerDetection aligned;
+    putReport(marker, *result, camera, 1., true, aligned);
+    vpCircleMarkerDetection turned;
+    putReport(marker, *result, camera, 1., false, turned);
     for (unsigned int row = 0; row < 3; ++row) {
       EXPECT_EQ(aligned.cMo[row][0], turned.cMo[row][0]);
       EXPECT_EQ(aligned.cMo[row][1], -turned.cMo[row][1]);
@@ -247,7 +250,9 @@ TEST(Report, FramesSpinAndEllipse)
     EXPECT_EQ(aligned.dof, family.isCoded() ? 6u : 5u);
     // Points of the outline lie on the ellipse.
     const double c = std::cos(aligned.ellipse.angle), s = std::sin(aligned.ellipse.angle);
-    for (const vpImagePoint &point : outlineOf(marker, result->first.plane, camera, 20)) {
+    std::vector<vpImagePoint> outline;
+    putOutline(marker, result->first.plane, camera, 20, outline);
+    for (const vpImagePoint &point : outline) {
       const double x = point.get_u() - aligned.ellipse.center.get_u();
       const double y = point.get_v() - aligned.ellipse.center.get_v();
       EXPECT_NEAR(std::hypot((c * x + s * y) / aligned.ellipse.a, (c * y - s * x) / aligned.ellipse.b), 1., 1e-6);

@@ -71,7 +71,8 @@ TEST(Report, CovarianceOfDeltaIsRightToSecondOrder)
   for (int i = 0; i < fits; ++i) {
     Measurement measurement;
     measurement.first = farFit(random);
-    const vpCircleMarkerDetection detection = reportOf(marker, measurement, camera, 1., true);
+    vpCircleMarkerDetection detection;
+    putReport(marker, measurement, camera, 1., true, detection);
     // Metres and radians to the same size, for the inverse.
     Eigen::Matrix<double, 6, 6> covariance;
     Eigen::Matrix<double, 6, 1> scale;

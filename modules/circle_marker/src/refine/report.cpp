@@ -36,18 +36,16 @@ MarkerPlane withReportedSpin(const Recognition &marker, const MarkerPlane &plane
   return marker.family.isCoded() ? plane : planeOf({plane.center, plane.rotation.col(2)}, plane.radius);
 }
 
-vpHomogeneousMatrix poseOf(const MarkerPlane &plane, bool zAligned)
+void putPose(const MarkerPlane &plane, bool zAligned, vpHomogeneousMatrix &pose)
 {
   // A half turn about x takes z into the marker and y down to z toward the camera and y up.
   const Eigen::Vector3d turn = zAligned ? Eigen::Vector3d(1., 1., 1.) : Eigen::Vector3d(1., -1., -1.);
-  vpHomogeneousMatrix pose;
   for (unsigned int row = 0; row < 3; ++row) {
     for (unsigned int column = 0; column < 3; ++column) {
       pose[row][column] = plane.rotation(row, column) * turn[column];
     }
     pose[row][3] = plane.center[row];
   }
-  return pose;
 }
 
 Eigen::Matrix3d crossMatrix(const Eigen::Vector3d &v)
@@ -85,7 +83,7 @@ Eigen::Matrix3d secondOrder(const Eigen::Matrix<double, 6, 6> &covariance)
 }
 
 // From (t, w) about the marker's centre to (v, w) of exp(delta) about the camera's: t = v + w x C.
-vpMatrix covarianceInCamera(const FittedPose &fit, bool spinIsKnown)
+void putCovarianceInCamera(const FittedPose &fit, bool spinIsKnown, vpMatrix &covariance)
 {
   Eigen::Matrix<double, 6, 6> local = fit.covariance;
   local.topLeftCorner<3, 3>() += secondOrder(fit.covariance);
@@ -96,13 +94,12 @@ vpMatrix covarianceInCamera(const FittedPose &fit, bool spinIsKnown)
   Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Identity();
   change.topRightCorner<3, 3>() = crossMatrix(fit.plane.center);
   const Eigen::Matrix<double, 6, 6> camera = change * local * change.transpose();
-  vpMatrix covariance(6, 6);
+  covariance.resize(6, 6, false, false);
   for (unsigned int row = 0; row < 6; ++row) {
     for (unsigned int column = 0; column < 6; ++column) {
       covariance[row][column] = 0.5 * (camera(row, column) + camera(column, row));
     }
   }
-  return covariance;
 }
 
 Eigen::Vector2d outlinePoint(const MarkerPlane &plane, const CameraModel &camera, unsigned int i, unsigned int count)
@@ -130,26 +127,22 @@ vpImageEllipse ellipseOf(const MarkerPlane &plane, const CameraModel &camera)
 }
 } // namespace
 
-std::vector<vpImagePoint> outlineOf(const Recognition &marker, const MarkerPlane &plane, const CameraModel &camera,
-                                    unsigned int count)
+void putOutline(const Recognition &marker, const MarkerPlane &plane, const CameraModel &camera, unsigned int count,
+                std::vector<vpImagePoint> &outline)
 {
   const MarkerPlane reported = withReportedSpin(marker, plane);
-  std::vector<vpImagePoint> outline;
-  outline.reserve(count);
+  outline.resize(count);
   for (unsigned int i = 0; i < count; ++i) {
     const Eigen::Vector2d p = outlinePoint(reported, camera, i, count);
-    outline.emplace_back(p.y(), p.x());
+    outline[i].set_ij(p.y(), p.x());
   }
-  return outline;
 }
 
-vpCircleMarkerDetection reportOf(const Recognition &marker, const Measurement &measurement, const CameraModel &camera,
-                                 double visible, bool zAligned)
+void putReport(const Recognition &marker, const Measurement &measurement, const CameraModel &camera, double visible,
+               bool zAligned, vpCircleMarkerDetection &detection)
 {
   const bool spinIsKnown = marker.family.isCoded();
-  const auto framed = [&](const MarkerPlane &plane) { return poseOf(withReportedSpin(marker, plane), zAligned); };
   const MarkerPlane &plane = measurement.first.plane;
-  vpCircleMarkerDetection detection;
   detection.family = marker.family;
   detection.id = marker.code.id;
   detection.hamming = marker.code.hamming;
@@ -157,19 +150,24 @@ vpCircleMarkerDetection reportOf(const Recognition &marker, const Measurement &m
   detection.size = 2. * plane.radius;
   detection.dof = spinIsKnown ? 6 : 5;
   const Eigen::Vector2d center = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
-  detection.center = vpImagePoint(center.y(), center.x());
+  detection.center.set_ij(center.y(), center.x());
   detection.ellipse = ellipseOf(plane, camera);
-  detection.cMo = framed(plane);
+  putPose(withReportedSpin(marker, plane), zAligned, detection.cMo);
   detection.cost = measurement.cost;
+  detection.hasSecondPose = measurement.second.has_value();
   if (measurement.second) {
-    detection.hasSecondPose = true;
-    detection.cMo2 = framed(measurement.second->plane);
+    putPose(withReportedSpin(marker, measurement.second->plane), zAligned, detection.cMo2);
     detection.cost2 = measurement.cost2;
     detection.logOdds = measurement.cost2 - measurement.cost;
   }
-  detection.covariance = covarianceInCamera(measurement.first, spinIsKnown);
+  else {
+    detection.cMo2.eye();
+    detection.cost2 = HUGE_VAL;
+    detection.logOdds = HUGE_VAL;
+  }
+  putCovarianceInCamera(measurement.first, spinIsKnown, detection.covariance);
+  detection.isInverse = false;
   detection.visible = visible;
-  return detection;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -30,16 +30,20 @@ namespace circle_marker {
   \param camera : The camera.
   \param visible : Share of the outer edge that was seen.
   \param zAligned : Whether the marker's z axis points away from the camera.
+  \param detection : The result; its memory is used again.
 */
-vpCircleMarkerDetection reportOf(const Recognition &marker, const Measurement &measurement, const CameraModel &camera,
-                                 double visible, bool zAligned);
+void putReport(const Recognition &marker, const Measurement &measurement, const CameraModel &camera, double visible,
+               bool zAligned, vpCircleMarkerDetection &detection);
 
 /*!
   Points along the image of the ring's outer edge, pixels: point i is at the angle 2 pi i / count from the x axis of the
   reported marker frame toward the y axis of the one whose z axis points into the marker.
+  \param marker, plane, camera : The marker, its pose and the camera.
+  \param count : Number of points.
+  \param outline : The result; its memory is used again.
 */
-std::vector<vpImagePoint> outlineOf(const Recognition &marker, const MarkerPlane &plane, const CameraModel &camera,
-                                    unsigned int count);
+void putOutline(const Recognition &marker, const MarkerPlane &plane, const CameraModel &camera, unsigned int count,
+                std::vector<vpImagePoint> &outline);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
