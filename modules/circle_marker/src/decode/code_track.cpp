@@ -49,16 +49,22 @@ constexpr double leastWeight = 1e-6;
 using SectorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostSectors, mostSectors>;
 using SectorVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostSectors, 1>;
 
+// A sample sees so many sectors to either side of its own: three sectors away, 1.5 sectors of blur are three sigma; and
+// where the blur is below shortBlur of a sector the second neighbour is as far.
+constexpr int neighbours = 2;
+constexpr int neighboursOfShortBlur = 1;
+constexpr double shortBlur = 0.3;
+
 // Least-squares grey levels of the sectors when the first starts at \e phase; returns the sum of squared residuals.
-double solveSectors(const CodeTrack &track, unsigned int sectors, double phase, SectorVector &greys,
-                    std::array<double, mostSamples> &residuals)
+template <int beside>
+double solveSectorsAs(const CodeTrack &track, unsigned int sectors, double phase, SectorVector &greys,
+                      std::array<double, mostSamples> &residuals)
 {
   const NormalDistribution &normal = NormalDistribution::instance();
   SectorMatrix normalMatrix = SectorMatrix::Zero(sectors, sectors);
   SectorVector right = SectorVector::Zero(sectors);
   const double sectorAngle = 2. * M_PI / sectors;
-  constexpr int neighbours = 2; // to either side: three sectors away, 1.5 sectors of blur are three sigma
-  constexpr int touched = 2 * neighbours + 1;
+  constexpr int touched = 2 * beside + 1;
   struct Row
   {
     std::array<int, touched> sector; // from 0 to n - 1
@@ -72,7 +78,7 @@ double solveSectors(const CodeTrack &track, unsigned int sectors, double phase, 
     const double angle = 2. * M_PI * (i + 0.5) / track.samples - phase;
     const int sector = static_cast<int>(std::floor(angle / sectorAngle));
     Row &row = rows[i];
-    const int first = sector - neighbours;
+    const int first = sector - beside;
     double previous = 0.; // the outermost sectors take all that lies beyond them
     for (int j = 0; j < touched; ++j) {
       // Angles lie within a turn of the first sector: one turn more or less is enough.
@@ -111,6 +117,15 @@ double solveSectors(const CodeTrack &track, unsigned int sectors, double phase, 
   }
   greys.array() += mean;
   return squares;
+}
+
+double solveSectors(const CodeTrack &track, unsigned int sectors, double phase, SectorVector &greys,
+                    std::array<double, mostSamples> &residuals)
+{
+  const double most = *std::max_element(track.blur.begin(), track.blur.begin() + track.samples);
+  return most * sectors < shortBlur * 2. * M_PI
+             ? solveSectorsAs<neighboursOfShortBlur>(track, sectors, phase, greys, residuals)
+             : solveSectorsAs<neighbours>(track, sectors, phase, greys, residuals);
 }
 
 // The phase told by the steps between sectors: that of the harmonic of the squared steps that has one period a sector.

@@ -67,6 +67,9 @@ bool looksLikeCode(const SectorReading &reading)
          std::abs(reading.middle - 0.5) <= mostOffMiddle;
 }
 
+// Margin from which the code that was read at one pose is not looked for at the other.
+constexpr double clearMargin = 0.6;
+
 // Whether the second of two readings came farther than the first.
 bool isFarther(const Judged<CodeReading> &first, const Judged<CodeReading> &second)
 {
@@ -100,12 +103,13 @@ Judged<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraM
                                   const vpCircleMarkerFamily &family, const DecodeSettings &settings,
                                   ReadingTrace *trace)
 {
-  const std::array<Judged<SectorReading>, 2> sectors = {readSectors(I, camera, poses[0], family),
-                                                        readSectors(I, camera, poses[1], family)};
-  std::array<Judged<CodeReading>, 2> codes = {sectors[0].reason(), sectors[1].reason()};
+  std::array<Judged<SectorReading>, 2> sectors = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
+  std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
   for (std::size_t i = 0; i < 2; ++i) {
-    if (sectors[i]) {
-      codes[i] = identify(*sectors[i], family, settings);
+    sectors[i] = readSectors(I, camera, poses[i], family);
+    codes[i] = sectors[i] ? identify(*sectors[i], family, settings) : Judged<CodeReading>(sectors[i].reason());
+    if (codes[i] && codes[i]->hamming == 0 && codes[i]->margin >= clearMargin) {
+      break; // the other pose could only be read as the same
     }
   }
   const std::size_t best = isFarther(codes[0], codes[1]) ? 1 : 0;
