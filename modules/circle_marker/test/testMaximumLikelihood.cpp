@@ -288,7 +288,7 @@ TEST(MaximumLikelihood, CovarianceGrowsWhereNeighboursPullTogether)
     }
     together += varianceOf(true) / varianceOf(false) / trials;
   }
-  EXPECT_GT(independent, 1. - 1e-5); // the sums of both are rounded differently
+  EXPECT_GT(independent, 1. - 1e-4); // the matrices are of passes near the end, at parameters a little apart
   EXPECT_LT(independent, 1.1);
   EXPECT_GT(together, 2.);
 }
