@@ -91,14 +91,20 @@ vpImage<unsigned char> seenFromSomewhere(const vpImage<unsigned char> &drawing, 
   return I;
 }
 
-// Half of the images are clutter; a quarter has other systems' signs, a quarter is hard; in turn.
+// Half of the images are clutter; a quarter has other systems' signs, a quarter is hard; in turn. The last kind of hard
+// ones takes seconds for each, so that it is one image in so many.
 std::string kindOf(unsigned int index)
 {
+  constexpr unsigned int seldom = 400;
   static const std::vector<std::string> systems = otherSystems();
   static const std::vector<std::string> hard = hardImages();
-  return index % 4 == 2   ? systems[(index / 4) % systems.size()]
-         : index % 4 == 3 ? hard[(index / 4) % hard.size()]
-                          : "clutter";
+  if (index % 4 == 2) {
+    return systems[(index / 4) % systems.size()];
+  }
+  if (index % 4 == 3) {
+    return index % seldom == seldom - 1 ? hard.back() : hard[(index / 4) % (hard.size() - 1)];
+  }
+  return "clutter";
 }
 
 vpImage<unsigned char> imageWithoutMarkers(const std::string &kind, unsigned int index, std::uint64_t seed)
@@ -108,7 +114,7 @@ vpImage<unsigned char> imageWithoutMarkers(const std::string &kind, unsigned int
     return otherSystemsImage(kind, width, height, 70000 + number);
   }
   if (index % 4 == 3) {
-    return isDrawn(kind) ? seenFromSomewhere(makeHardImage(kind, 2 * width, 2 * height), number)
+    return isDrawn(kind) ? seenFromSomewhere(makeHardImage(kind, 2 * width, 2 * height, number), number)
                          : makeHardImage(kind, width, height, number);
   }
   SceneOptions options;

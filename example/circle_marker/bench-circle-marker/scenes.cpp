@@ -117,6 +117,35 @@ cv::Mat crossingRings(int width, int height, Random &random)
   return pixels;
 }
 
+// Rings with as many sectors inside as no code has, black or white at random, far out of focus: each looks like a
+// marker that has to be read through the blur, and none is one.
+cv::Mat defocusedTracks(int width, int height, Random &random)
+{
+  constexpr int cell = 60;       // pixels
+  constexpr double radius = 23.; // pixels
+  constexpr int sectors = 19;
+  constexpr int defocus = 7; // radius of a point's image, pixels: 15 % of the diameter
+  cv::Mat pixels(height, width, CV_8U, cv::Scalar(220));
+  for (int y = cell / 2; y + cell / 2 <= height; y += cell) {
+    for (int x = cell / 2; x + cell / 2 <= width; x += cell) {
+      drawCircle(pixels, x, y, radius, 30, cv::FILLED);
+      drawCircle(pixels, x, y, 0.8 * radius, 220, cv::FILLED);
+      for (int k = 0; k < sectors; ++k) {
+        if (random() % 2 == 0) {
+          const cv::Size track(static_cast<int>(0.68 * radius), static_cast<int>(0.68 * radius));
+          cv::ellipse(pixels, cv::Point(x, y), track, 0., 360. * k / sectors, 360. * (k + 1) / sectors, cv::Scalar(30),
+                      cv::FILLED);
+        }
+      }
+      drawCircle(pixels, x, y, 0.4 * radius, 220, cv::FILLED);
+    }
+  }
+  cv::Mat disc;
+  cv::getStructuringElement(cv::MORPH_ELLIPSE, cv::Size(2 * defocus + 1, 2 * defocus + 1)).convertTo(disc, CV_32F);
+  cv::filter2D(pixels, pixels, -1, disc / cv::sum(disc)[0]);
+  return pixels;
+}
+
 cv::Mat noise(int width, int height, Random &random)
 {
   cv::Mat pixels(height, width, CV_8U);
@@ -194,7 +223,8 @@ Scene makeScene(const SceneOptions &options)
 
 std::vector<std::string> hardImages()
 {
-  return {"checkerboard8", "checkerboard2", "noise", "blobs", "nested-rings", "small-targets", "crossing-rings"};
+  return {"checkerboard8", "checkerboard2", "noise",          "blobs",
+          "nested-rings",  "small-targets", "crossing-rings", "defocused-tracks"};
 }
 
 vpImage<unsigned char> makeHardImage(const std::string &name, unsigned int width, unsigned int height,
@@ -223,6 +253,9 @@ vpImage<unsigned char> makeHardImage(const std::string &name, unsigned int width
   }
   if (name == "crossing-rings") {
     return imageOf(crossingRings(w, h, random));
+  }
+  if (name == "defocused-tracks") {
+    return imageOf(defocusedTracks(w, h, random));
   }
   throw vpException(vpException::badValue, "there is no hard image \"%s\"", name.c_str());
 }

@@ -134,7 +134,12 @@ TEST(CodeLikelihood, NoneWhereTheModelDoesNotHold)
   EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family)) << "under a shadow";
   fit = fitOf(scene, 0.);
   fit.photometry.light = 400.;
-  EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family)) << "over-exposed";
+  EXPECT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family)) << "no pixel is as bright as that";
+  vpImage<unsigned char> tooBright = I;
+  for (unsigned int i = 0; i < tooBright.getSize(); ++i) {
+    tooBright.bitmap[i] = static_cast<unsigned char>(std::min(2. * I.bitmap[i], 255.));
+  }
+  EXPECT_FALSE(mostLikelyCode(tooBright, camera, fit, scene.frame(), scene.family)) << "over-exposed";
   fit = fitOf(scene, 0.);
   fit.plane.center.x() += 0.55 * side / scene.focal * fit.plane.center.z();
   EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family)) << "at the image's border";

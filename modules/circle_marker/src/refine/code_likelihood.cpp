@@ -41,7 +41,7 @@ constexpr int mostReach = 4;
 constexpr double around = 1.5;
 // What the model leaves besides noise, in units of the contrast: pose, blur and light are not exact.
 constexpr double modelError = 0.04;
-// Paper that is brighter than this, grey levels, cannot be told from brighter.
+// Where paper is brighter than this, grey levels, a pixel that is as well cannot be told from brighter.
 constexpr double brightest = 254.;
 // Spins of one marker in neighbouring phases differ by no more than this, in sectors.
 constexpr double sameSpin = 0.75;
@@ -162,10 +162,10 @@ std::optional<Track> trackOf(const vpImage<unsigned char> &I, const CameraModel 
       const Eigen::Vector2d offset = (p - frame.center) / frame.size;
       const double light = photometry.light + photometry.lightGradient.dot(offset);
       const double contrast = light * photometry.contrast;
-      if (light > brightest || contrast <= 0.) {
+      const double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
+      if ((light > brightest && grey > brightest) || contrast <= 0.) {
         return std::nullopt;
       }
-      const double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
       track.pixels.push_back({point, rims, (light - grey) / contrast - ringAt(layout, point)});
       squaredContrast += contrast * contrast;
     }

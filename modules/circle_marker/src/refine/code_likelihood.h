@@ -58,8 +58,8 @@ struct LikelyCode
   \param fit : Pose, light and blur; the spin may be any.
   \param frame : Coordinates of the image in which the light was measured.
   \param family : Family of the marker, with a code.
-  \return Nothing where the model does not hold: under the edge of a shadow, on paper that is brighter than the sensor
-  can tell, at the image's border.
+  \return Nothing where the model does not hold: under the edge of a shadow, where the sensor cannot tell how bright the
+  paper is, at the image's border.
 */
 std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const CameraModel &camera,
                                          const FittedPose &fit, const ImageFrame &frame,
