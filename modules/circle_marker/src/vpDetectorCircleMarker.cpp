@@ -197,9 +197,9 @@ void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outli
   }
   m_workers.run(m_chosen.size(), [&](std::size_t k, unsigned int worker) {
     Examination &examination = m_examinations[m_chosen[k]];
-    examination.isFound = !visit.deadline.hasPassed() &&
-                          measureMarker(visit, outlines[m_chosen[k]], *examination.marker, m_benches[worker],
-                                        m_measured[examination.place]);
+    examination.isFound =
+        !visit.deadline.hasPassed() && measureMarker(visit, outlines[m_chosen[k]], *examination.marker,
+                                                     m_benches[worker], m_measured[examination.place]);
   });
 }
 

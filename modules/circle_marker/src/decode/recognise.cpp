@@ -148,7 +148,8 @@ std::optional<Recognition> recogniseBlurred(const vpImage<unsigned char> &I, con
   return result;
 }
 
-// Inner radius of a ring without a code at a pose, in units of the outer: that of the design if it is near; 0 of a disc.
+// Inner radius of a ring without a code at a pose, in units of the outer: that of the design if it is near; 0 of a
+// disc.
 Judged<double> innerRadiusAt(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
                              const EllipseCandidate &outline, const vpCircleMarkerFamily &family)
 {

@@ -115,8 +115,8 @@ template <int fitted> void takeTogether(Parts<fitted> &parts, std::size_t count)
 }
 
 template <int fitted>
-double coherenceOf(const PassSums &sums, const ParameterMatrix &inverse,
-                   const ParameterVector &step, double noise, int used)
+double coherenceOf(const PassSums &sums, const ParameterMatrix &inverse, const ParameterVector &step, double noise,
+                   int used)
 {
   const Influence<fitted> influence = inverse.topRows<fitted>();
   const Eigen::Matrix<double, fitted, fitted> known = inverse.topLeftCorner<fitted, fitted>().inverse();

@@ -20,12 +20,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
 #include <Eigen/Cholesky>
 
 #include "refine/grey_model.h"
 #include "refine/line_model.h"
+#include "refine/sums.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -48,167 +48,6 @@ constexpr double shadowPrior = 0.3;
 // In the first guess of light and contrast, before the noise is known, a pixel with this variance, grey levels^2, from
 // the surround counts half.
 constexpr float guessedVariance = 25.f;
-// Blocks whose products are summed up at once, so that each sum is loaded and stored once for all of them.
-constexpr std::size_t blocksOfGroup = 4;
-// Groups whose sums are taken in single precision before they go to double: the depth is a difference of things that
-// are known a thousand times better, and of 100 blocks' sums in single precision nothing would be left of it.
-constexpr std::size_t groupsToFlush = 8;
-
-// Sums of one pass, direction by direction, in lanes and then in double precision.
-class Sums
-{
-public:
-  // used: number of parameters that any pixel depends on, the first ones; formsProducts: whether the products for the
-  // matrix are wanted.
-  Sums(PassSums &sums, std::size_t used, bool formsProducts)
-      : m_used(used), m_products(formsProducts ? used * (used + 1) / 2 : 0), m_sums(sums)
-  {
-    m_sums.pulls.clear();
-    if (formsProducts) {
-      m_sums.products.clear();
-    }
-    clear();
-  }
-
-  // The row of the next block, to be filled in before add().
-  RowLanes &row() { return m_rows[m_pending]; }
-
-  void add(const Lanes &residual, const LossLanes &loss, std::size_t direction)
-  {
-    if (m_pending == 0 && direction != m_direction) {
-      flush();
-      m_direction = direction;
-    }
-    const RowLanes &row = m_rows[m_pending];
-    RowLanes &weighted = m_weighted[m_pending];
-    for (std::size_t i = 0; i < m_used; ++i) {
-      weighted[i] = loss.weight * row[i];
-      m_pullLanes[i] += weighted[i] * residual;
-    }
-    m_pullLanes[costAt] += loss.cost;
-    m_pullLanes[squaresAt] += loss.tells * loss.weight * residual.square();
-    m_pullLanes[keptAt] += loss.tells * loss.kept;
-    if (++m_pending == blocksOfGroup) {
-      closeGroup();
-    }
-  }
-
-  // The sums of all directions: the matrix too, if its products are formed.
-  void close(Equations &equations)
-  {
-    if (m_pending > 0) {
-      for (; m_pending < blocksOfGroup; ++m_pending) {
-        for (std::size_t i = 0; i < m_used; ++i) {
-          m_rows[m_pending][i].setZero();
-          m_weighted[m_pending][i].setZero();
-        }
-      }
-      closeGroup();
-    }
-    flush();
-    if (m_products > 0) {
-      const ProductSums total = totalOf(m_sums.products);
-      std::size_t k = 0;
-      for (int i = 0; i < parameters; ++i) {
-        for (int j = 0; j <= i; ++j) {
-          equations.matrix(i, j) = total[k++];
-          equations.matrix(j, i) = equations.matrix(i, j);
-        }
-      }
-    }
-    const PullSums total = totalOf(m_sums.pulls);
-    for (int i = 0; i < parameters; ++i) {
-      equations.right[i] = total[static_cast<std::size_t>(i)];
-    }
-    equations.cost = total[costAt];
-    equations.squares = total[squaresAt];
-    equations.kept = total[keptAt];
-  }
-
-private:
-  static constexpr std::size_t costAt = parameters;
-  static constexpr std::size_t squaresAt = costAt + 1;
-  static constexpr std::size_t keptAt = costAt + 2;
-
-  template <class Numbers> static Numbers totalOf(const std::vector<Numbers> &all)
-  {
-    Numbers total = {};
-    for (const Numbers &numbers : all) {
-      for (std::size_t k = 0; k < numbers.size(); ++k) {
-        total[k] += numbers[k];
-      }
-    }
-    return total;
-  }
-
-  void clear()
-  {
-    for (std::size_t k = 0; k < wholeBlocks(m_products); ++k) {
-      m_productLanes[k].setZero();
-    }
-    for (Lanes &lanes : m_pullLanes) {
-      lanes.setZero();
-    }
-    m_groups = 0;
-  }
-
-  void closeGroup()
-  {
-    std::size_t k = 0;
-    for (std::size_t i = 0; k < m_products; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        Lanes sum = m_productLanes[k];
-        for (std::size_t block = 0; block < blocksOfGroup; ++block) {
-          sum += m_weighted[block][i] * m_rows[block][j];
-        }
-        m_productLanes[k++] = sum;
-      }
-    }
-    m_pending = 0;
-    if (++m_groups == groupsToFlush) {
-      flush();
-    }
-  }
-
-  // Adds the first numbers of the lanes to those of a direction.
-  template <class Numbers>
-  static void addTo(std::vector<Numbers> &all, std::size_t direction, const Lanes *lanes, std::size_t count)
-  {
-    while (direction >= all.size()) {
-      all.push_back(Numbers());
-    }
-    Numbers &numbers = all[direction];
-    for (std::size_t k = 0; k < count; k += laneCount) {
-      const Lanes each = sumOfEach(lanes + k);
-      for (std::size_t i = 0; i < laneCount; ++i) {
-        numbers[k + i] += static_cast<double>(each[static_cast<std::ptrdiff_t>(i)]);
-      }
-    }
-  }
-
-  void flush()
-  {
-    if (m_groups == 0) {
-      return;
-    }
-    if (m_products > 0) {
-      addTo(m_sums.products, m_direction, m_productLanes.data(), m_products);
-    }
-    addTo(m_sums.pulls, m_direction, m_pullLanes.data(), m_pullLanes.size());
-    clear();
-  }
-
-  std::array<Lanes, std::tuple_size<ProductSums>::value> m_productLanes;
-  std::array<Lanes, std::tuple_size<PullSums>::value> m_pullLanes;
-  std::array<RowLanes, blocksOfGroup> m_rows;
-  std::array<RowLanes, blocksOfGroup> m_weighted;
-  const std::size_t m_used;     // parameters
-  const std::size_t m_products; // of these; none if they are not wanted
-  std::size_t m_pending = 0;    // blocks of the present group
-  std::size_t m_groups = 0;     // since the last flush
-  std::size_t m_direction = 0;  // of the first of them
-  PassSums &m_sums;
-};
 
 } // namespace
 

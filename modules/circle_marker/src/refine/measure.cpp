@@ -60,8 +60,8 @@ constexpr double coarseError = 2.;
 constexpr double fineError = 0.6;
 // Borders of sectors that a pixel may see in the first fits: of those farther away few see any.
 constexpr int coarseBorders = 3;
-// Last step of the coarse fit, in standard deviations, and its steps at most: a pose that fits badly creeps. Where there
-// is no code, or perhaps another one, even the right one may.
+// Last step of the coarse fit, in standard deviations, and its steps at most: a pose that fits badly creeps. Where
+// there is no code, or perhaps another one, even the right one may.
 constexpr double coarseConvergence = 0.5;
 constexpr int coarseIterations = 4;
 constexpr int coarseIterationsUncertain = 6;

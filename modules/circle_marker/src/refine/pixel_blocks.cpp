@@ -22,6 +22,7 @@
 
 #include <Eigen/LU>
 
+#include "refine/sector_table.h"
 #include "refine/surround.h"
 
 BEGIN_VISP_NAMESPACE
@@ -31,20 +32,6 @@ namespace {
 // An edge is seen up to this many standard deviations of the blur: beyond lie 5e-5 of the contrast, a tenth of what
 // rounding to grey levels leaves.
 constexpr double reachOfEdges = 3.9;
-
-// Angle of vectors in [-pi, pi], to 1e-3 rad: enough to know the nearest border.
-Lanes roughAngle(const Lanes &x, const Lanes &y)
-{
-  const Lanes width = x.abs();
-  const Lanes height = y.abs();
-  const Lanes t = width.min(height) / width.max(height).max(1e-12f);
-  // Chebyshev's polynomial of the arc tangent on [0, 1], odd, of degree 5.
-  const Lanes square = t * t;
-  const Lanes octant = t * (0.995354f + square * (-0.288679f + square * 0.079331f));
-  const Lanes quadrant = octant + isPositive(height - width) * (1.5707963f - 2.f * octant);
-  const Lanes half = quadrant + isPositive(-x) * (3.1415927f - 2.f * quadrant);
-  return half * (1.f - 2.f * isPositive(-y));
-}
 
 // Borders that a pixel of the track may see: those whose distance at the inner rim, along the image's shorter axis, is
 // within reachOfEdges.
@@ -88,83 +75,6 @@ void putSurround(const FitPixel &pixel, const PlanePoint &point, const PaperEnds
   block.variance[lane] = static_cast<float>(variance + photometry.unevenShare * photometry.unevenShare * most * most);
 }
 
-// For each border between sectors, what a pixel sees to which it is the nearest.
-class SectorTable
-{
-public:
-  SectorTable(const MarkerPattern &pattern, int borders)
-      : m_sectors(static_cast<float>(pattern.sectors)), m_borders(borders)
-  {
-    for (unsigned int sector = 0; sector < pattern.sectors; ++sector) {
-      const int nearest = static_cast<int>(sector);
-      View &view = m_views[sector];
-      view.acrossX = static_cast<float>(pattern.acrossBorder(nearest).x());
-      view.acrossY = static_cast<float>(pattern.acrossBorder(nearest).y());
-      const int first = nearest - borders / 2;
-      float before = pattern.isBlack(first - 1) ? 1.f : 0.f;
-      view.base = before;
-      for (int k = 0; k < borders; ++k) {
-        const float after = pattern.isBlack(first + k) ? 1.f : 0.f;
-        view.change[static_cast<std::size_t>(k)] = after - before;
-        before = after;
-      }
-      m_isEdge[sector] = pattern.isBlack(nearest) != pattern.isBlack(nearest - 1) ? 1.f : 0.f;
-      m_isEdge[sector + pattern.sectors] = m_isEdge[sector];
-    }
-    m_last = std::max(0, 2 * static_cast<int>(pattern.sectors) - 1);
-  }
-
-  // 1 for pixels at an angle on the plane that are farther than a margin from the border nearest to them, or have none
-  // there, else 0.
-  Lanes seesNoBorder(const Lanes &radius, const Lanes &margin, const Lanes &angle) const
-  {
-    const Lanes turned = angle * (m_sectors * 0.15915494f) + (m_sectors + 0.5f);
-    const Lanes border = turned.floor();
-    const Lanes isEdge = lanesOf([&](int lane) { return m_isEdge[numberOf(border[lane])]; });
-    const Lanes away = (turned - border - 0.5f).abs() * (6.2831853f / m_sectors) * radius;
-    return (isPositive(away - margin) + 1.f - isEdge).min(1.f);
-  }
-
-  // Puts what the pixels of a block see that are at (x, y) on the marker's plane.
-  void put(const Lanes &x, const Lanes &y, SectorLanes &sectors) const
-  {
-    // Borders from -n / 2 to n / 2, shifted by n so that cutting off rounds them.
-    const Lanes nearest = roughAngle(x, y) * (m_sectors * 0.15915494f) + (m_sectors + 0.5f);
-    const auto count = static_cast<std::size_t>(m_sectors);
-    std::array<const View *, laneCount> views;
-    for (int lane = 0; lane < laneCount; ++lane) {
-      const std::size_t border = numberOf(nearest[lane]);
-      views[static_cast<std::size_t>(lane)] = &m_views[border < count ? border : border - count];
-    }
-    const auto view = [&views](int lane) -> const View & { return *views[static_cast<std::size_t>(lane)]; };
-    sectors.acrossX = lanesOf([&](int lane) { return view(lane).acrossX; });
-    sectors.acrossY = lanesOf([&](int lane) { return view(lane).acrossY; });
-    sectors.base = lanesOf([&](int lane) { return view(lane).base; });
-    for (int k = 0; k < m_borders; ++k) {
-      sectors.change[k + (mostBorders - m_borders) / 2] =
-          lanesOf([&](int lane) { return view(lane).change[static_cast<std::size_t>(k)]; });
-    }
-  }
-
-private:
-  struct View
-  {
-    float acrossX, acrossY, base;
-    std::array<float, mostBorders> change;
-  };
-  // A border's number from the turn before on.
-  std::size_t numberOf(float border) const
-  {
-    return static_cast<std::size_t>(std::clamp(static_cast<int>(border), 0, m_last));
-  }
-
-  std::array<View, 31> m_views;
-  std::array<float, 62> m_isEdge{}; // of two turns: 1 if the sectors to its sides differ
-  int m_last = 0;                   // border of the two turns
-  float m_sectors;
-  int m_borders;
-};
-
 // What pixels at these radii may see, as the numbers of PixelSight; margin: how far they see, in radii.
 Lanes sightOf(const Lanes &radius, const Lanes &margin, const MarkerPattern &pattern)
 {
@@ -184,14 +94,14 @@ Lanes sightOf(const Lanes &radius, const Lanes &margin, const MarkerPattern &pat
 constexpr std::array<int, pixelSights> groups = {{2, 5, 1}};
 constexpr std::array<int, pixelSights + 1> firstBin = {{0, 2 * directions, 7 * directions, 8 * directions}};
 
-// The bins of pixels by their kind, direction and group, all whole numbers. In every other direction the groups come the
-// other way round, so that few blocks have pixels of more than one.
+// The bins of pixels by their kind, direction and group, all whole numbers. In every other direction the groups come
+// the other way round, so that few blocks have pixels of more than one.
 Lanes binOf(const Lanes &kind, const Lanes &direction, const Lanes &group)
 {
   const Lanes isTrack = 1.f - (kind - 1.f).abs();
   const Lanes isBoth = (kind - 1.f).max(0.f);
-  const Lanes last = (1.f - kind).max(0.f) * static_cast<float>(groups[0] - 1) +
-                     isTrack * static_cast<float>(groups[1] - 1);
+  const Lanes last =
+      (1.f - kind).max(0.f) * static_cast<float>(groups[0] - 1) + isTrack * static_cast<float>(groups[1] - 1);
   const Lanes isOdd = direction - 2.f * (0.5f * direction).floor();
   return isTrack * static_cast<float>(firstBin[1]) + isBoth * static_cast<float>(firstBin[2]) +
          direction * (last + 1.f) + group + isOdd * (last - 2.f * group);
@@ -209,8 +119,9 @@ class Packer
 public:
   Packer(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
          const Photometry &photometry, double noise, PixelBlocks &blocks)
-      : m_pixels(pixels), m_isUniform(isUniform(pixels)), m_pattern(pattern), m_photometry(photometry), m_noise(noise), m_blocks(blocks),
-        m_homography(plane, blocks.reference, photometry.blur.shape()), m_table(pattern, blocks.borders)
+      : m_pixels(pixels), m_isUniform(isUniform(pixels)), m_pattern(pattern), m_photometry(photometry), m_noise(noise),
+        m_blocks(blocks), m_homography(plane, blocks.reference, photometry.blur.shape()),
+        m_table(pattern, blocks.borders)
   {
   }
 
@@ -239,7 +150,8 @@ public:
       const Lanes bins = binOf(sight, direction, group);
       for (std::size_t k = 0; k < count; ++k) {
         // A pixel that does not see the plane has any place, but in the table.
-        const int bin = std::clamp(static_cast<int>(bins[static_cast<std::ptrdiff_t>(k)]), 0, firstBin[pixelSights] - 1);
+        const int bin =
+            std::clamp(static_cast<int>(bins[static_cast<std::ptrdiff_t>(k)]), 0, firstBin[pixelSights] - 1);
         m_blocks.bins[first + k] = static_cast<unsigned char>(bin);
         ++start[static_cast<std::size_t>(bin) + 1];
       }
@@ -248,8 +160,8 @@ public:
       start[bin] += start[bin - 1];
     }
     for (std::size_t kind = 0; kind < pixelSights; ++kind) {
-      m_blocks.count[kind] = start[static_cast<std::size_t>(firstBin[kind + 1])] -
-                             start[static_cast<std::size_t>(firstBin[kind])];
+      m_blocks.count[kind] =
+          start[static_cast<std::size_t>(firstBin[kind + 1])] - start[static_cast<std::size_t>(firstBin[kind])];
     }
     m_blocks.sortedPixels.resize(m_pixels.size());
     for (std::size_t k = 0; k < m_pixels.size(); ++k) {

@@ -45,8 +45,8 @@ struct Tile
   // Of the plane in the image's coordinates where the blur is round: a direction o of the plane has the gradient
   // sqrt(o' metric o).
   Eigen::Matrix2d metric;
-  double mostGradient = 0.;               // of any direction, in those coordinates
-  double reach = 0.;                      // how far from the tile's centre an edge may be that it sees, on the plane
+  double mostGradient = 0.; // of any direction, in those coordinates
+  double reach = 0.;        // how far from the tile's centre an edge may be that it sees, on the plane
   // Unit vectors across edges between sectors, toward the black side, divided by their gradient.
   std::array<Eigen::Vector2f, 3> borders;
   int bordersSeen = 0;
@@ -86,8 +86,8 @@ public:
       return isNear;
     }
     const bool seesBorders = seeBorders(radius);
-    const bool isAtRim = std::abs(radius - m_pattern.track[0].radius) < change ||
-                         std::abs(radius - m_pattern.track[1].radius) < change;
+    const bool isAtRim =
+        std::abs(radius - m_pattern.track[0].radius) < change || std::abs(radius - m_pattern.track[1].radius) < change;
     return isNear || seesBorders || (isAtRim && m_tile.isBlack);
   }
 
