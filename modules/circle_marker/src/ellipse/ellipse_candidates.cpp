@@ -22,6 +22,7 @@
 #include <functional>
 
 #include "edges/convex_arcs.h"
+#include "ellipse/outline_greys.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {

@@ -22,6 +22,8 @@
 #include <cmath>
 #include <optional>
 
+#include "ellipse/ellipse_walk.h"
+#include "ellipse/outline_greys.h"
 #include "support/bilinear.h"
 
 BEGIN_VISP_NAMESPACE
@@ -49,16 +51,6 @@ constexpr int mostSamples = 128;
 constexpr int mostFirstSamples = 48;
 // Distance of an edge from a completed outline, pixels: its own noise, and what is left of the ellipse's error.
 constexpr double onOutline = 1.5;
-// Where dark and bright are read beside an edge point, pixels: past most of the blur, short of the other side of a ring
-// of 15 pixels, which is 1.5 pixels thick.
-constexpr double besideEdge = 1.5;
-// A centre is bright (dark) if it lies this share of the step at the outline above the dark side (below the bright
-// side). The centre of a ring of 8 pixels keeps a third after the blur; a dark blob has none.
-constexpr double leastCenter = 0.1;
-// Where that is looked for if something covers the centre: share of the way to the edge, inside of the code track; and
-// how bright it has to be there, share of the step.
-constexpr double besideCenter = 0.3;
-constexpr double clearlyBright = 0.6;
 // Share of an ellipse's perimeter that an arc must have to be judged by its centre at once.
 constexpr double leastShareForCenter = 0.5;
 // Share of an outline's points that is kept when it does not fit as a whole, and how often the choice is made again.
@@ -85,38 +77,6 @@ double rootMeanSquareDistance(const EllipseCandidate &candidate, const EdgePoint
   }
   return std::sqrt(sum / static_cast<double>(count));
 }
-
-// Walks round an ellipse in equal steps of its parameter: point and outward normal.
-class EllipseWalk
-{
-public:
-  EllipseWalk(const EllipseParameters &ellipse, int steps)
-      : m_ellipse(ellipse), m_major(std::cos(ellipse.angle), std::sin(ellipse.angle)),
-        m_minor(-m_major.y(), m_major.x()), m_step(std::cos(2. * M_PI / steps), std::sin(2. * M_PI / steps))
-  {
-  }
-
-  EdgePoint here() const
-  {
-    EdgePoint point;
-    point.position = m_ellipse.center + m_ellipse.a * m_at.x() * m_major + m_ellipse.b * m_at.y() * m_minor;
-    point.across = m_ellipse.b * m_at.x() * m_major + m_ellipse.a * m_at.y() * m_minor;
-    return point;
-  }
-
-  void next()
-  {
-    m_at =
-        Eigen::Vector2d(m_step.x() * m_at.x() - m_step.y() * m_at.y(), m_step.y() * m_at.x() + m_step.x() * m_at.y());
-  }
-
-private:
-  EllipseParameters m_ellipse;
-  Eigen::Vector2d m_major;
-  Eigen::Vector2d m_minor;
-  Eigen::Vector2d m_step;                          // cosine and sine of the step
-  Eigen::Vector2d m_at = Eigen::Vector2d::UnitX(); // and of the parameter
-};
 
 // Searches the whole outline for edges; leaves them in candidate.points and their share in candidate.support.
 void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double reach, int most)
@@ -164,121 +124,7 @@ std::optional<Eigen::Vector2d> firstDarkLine(const vpImage<unsigned char> &I, co
   return std::nullopt;
 }
 
-// Step between the brightest pixel outside and the darkest inside of an outline, median over it, grey levels.
-double medianContrast(const vpImage<unsigned char> &I, const EllipseCandidate &candidate)
-{
-  constexpr int directions = 32;
-  constexpr int reach = 3; // pixels to either side: past the blur of the edge
-  std::array<int, directions> steps;
-  std::size_t count = 0;
-  EllipseWalk walk(candidate.ellipse, directions);
-  for (int i = 0; i < directions; ++i, walk.next()) {
-    const EdgePoint where = walk.here();
-    const Eigen::Vector2d normal = where.normal();
-    int brightest = -1;
-    int darkest = 256;
-    for (int t = -reach; t <= reach; ++t) {
-      const Eigen::Vector2d p = where.position + t * normal;
-      if (!(p.x() > -0.5 && p.y() > -0.5 && p.x() < I.getWidth() - 0.5 && p.y() < I.getHeight() - 0.5)) {
-        continue;
-      }
-      const int grey = I[static_cast<unsigned int>(p.y() + 0.5)][static_cast<unsigned int>(p.x() + 0.5)];
-      if (t > 0) {
-        brightest = std::max(brightest, grey);
-      }
-      else {
-        darkest = std::min(darkest, grey);
-      }
-    }
-    if (brightest >= 0 && darkest <= 255) {
-      steps[count++] = brightest - darkest;
-    }
-  }
-  if (count == 0) {
-    return 0.;
-  }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(steps.begin(), middle, steps.begin() + static_cast<std::ptrdiff_t>(count));
-  return *middle;
-}
-
-// Grey levels beside an outline, means over 16 of its points.
-struct Beside
-{
-  double dark = 0.;
-  double bright = 0.;
-};
-
-Beside besideOutline(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count)
-{
-  constexpr std::size_t samples = 16;
-  Beside beside;
-  int seen = 0;
-  for (std::size_t k = 0; k < samples; ++k) {
-    const EdgePoint &point = points[k * count / samples];
-    const Eigen::Vector2d beyond = besideEdge * point.normal();
-    const auto inside = bilinear(I, point.position - beyond);
-    const auto outside = bilinear(I, point.position + beyond);
-    if (inside && outside) {
-      beside.dark += *inside;
-      beside.bright += *outside;
-      ++seen;
-    }
-  }
-  beside.dark /= std::max(seen, 1);
-  beside.bright /= std::max(seen, 1);
-  return beside;
-}
-
-// Whether the centre of an outline is like that of the markers sought, judged by the grey levels beside its edge.
-bool hasSoughtCenter(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count,
-                     const Eigen::Vector2d &center, const SoughtCenters &sought)
-{
-  if (sought.bright && sought.dark) {
-    return true;
-  }
-  const auto grey = bilinear(I, center);
-  if (!grey) {
-    return true; // cut by the image's border: what is left of it decides later
-  }
-  const Beside beside = besideOutline(I, points, count);
-  const double step = beside.bright - beside.dark;
-  const double aboveDark = *grey - beside.dark;
-  if (!sought.bright) {
-    return aboveDark <= (1. - leastCenter) * step;
-  }
-  if (aboveDark >= leastCenter * step) {
-    return true;
-  }
-  // Something dark may cover the middle: what lies toward the edge that is seen is white then.
-  constexpr std::size_t directions = 4;
-  for (std::size_t k = 0; k < directions; ++k) {
-    const auto toward = bilinear(I, center + besideCenter * (points[k * count / directions].position - center));
-    if (toward && *toward - beside.dark >= clearlyBright * step) {
-      return true;
-    }
-  }
-  return false;
-}
 } // namespace
-
-bool isDarkThroughout(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count)
-{
-  Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < count; ++i) {
-    center += points[i].position;
-  }
-  center /= static_cast<double>(count);
-  const Beside beside = besideOutline(I, points, count);
-  const double most = beside.dark + leastCenter * (beside.bright - beside.dark);
-  constexpr std::size_t directions = 4;
-  bool isDark = bilinear(I, center).value_or(255.) < most;
-  for (std::size_t k = 0; k < directions && isDark; ++k) {
-    const Eigen::Vector2d halfway = 0.5 * (center + points[k * count / directions].position);
-    isDark = bilinear(I, halfway).value_or(255.) < most;
-  }
-  return isDark;
-}
 
 double fitToleranceOf(const EllipseParameters &ellipse)
 {

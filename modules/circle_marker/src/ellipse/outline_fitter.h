@@ -24,32 +24,10 @@
 #include <visp3/circle_marker/vpCircleMarkerReject.h>
 #include <visp3/core/vpImage.h>
 
-#include "edges/edge_points.h"
-#include "ellipse/fit_conic.h"
+#include "ellipse/ellipse_candidate.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Why a chain of edge points was not taken for the outline of a marker. */
-using EllipseReject = vpCircleMarkerReject;
-
-/*! What the markers that are sought have inside. */
-struct SoughtCenters
-{
-  bool bright = true;   //!< Markers with a white centre: rings, with a code or without.
-  bool dark = true;     //!< Markers with a black centre: discs.
-  double thinRing = 0.; //!< Inner radius of the thinnest ring without a code, of the outer one; 0: none is sought.
-};
-
-/*! An ellipse with a dark band on its inside and the edge points found along it. */
-struct EllipseCandidate
-{
-  Eigen::Matrix3d conic = Eigen::Matrix3d::Zero(); //!< In pixels.
-  EllipseParameters ellipse;                       //!< The same, as centre, axes and angle.
-  std::vector<EdgePoint> points;                   //!< Along the ellipse, at most about one a pixel.
-  double support = 0.;                             //!< Share of the ellipse along which an edge was found, in [0, 1].
-  double contrast = 0.;                            //!< Median step from the dark band to the outside, grey levels.
-};
-
 /*!
   Fits ellipses to runs of edge points and completes them by searching their whole outline for edges. It holds working
   memory and no state: what it makes of a run does not depend on what it has seen before. One for each thread.
@@ -94,12 +72,6 @@ private:
   std::vector<double> m_sorted;             //!< The same in another order.
   std::vector<EdgePoint> m_kept;            //!< What is left of an outline without a piece of something else.
 };
-
-/*!
-  Whether a closed outline is as dark at its centre, and halfway to it in four directions, as along its edge: a blob, or
-  a sector of a code; no fit is needed to know that it is no ring.
-*/
-bool isDarkThroughout(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count);
 
 /*! Root-mean-square distance that points may have from their ellipse, pixels. */
 double fitToleranceOf(const EllipseParameters &ellipse);
