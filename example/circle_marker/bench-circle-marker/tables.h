@@ -60,7 +60,7 @@ void tellHardships(std::ostream &out, const std::string &family, unsigned int fr
 
 /*!
   How long after its timeout the detector comes back, on the hard images at 1280 x 960: the greatest wall time, and CPU
-  time, beyond the timeout of all calls with timeouts from 1 to 20 ms.
+  time, beyond the timeout of all calls with timeouts from 1 to 220 ms.
   \param out : Where the table goes, Markdown.
   \param rounds : How often each image is looked at with each timeout.
 */

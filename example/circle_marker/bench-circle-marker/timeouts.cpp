@@ -62,7 +62,7 @@ void tellTimeouts(std::ostream &out, unsigned int rounds)
     double wall = 0.;
     double cpu = 0.;
     for (unsigned int i = 0; i < rounds; ++i) {
-      for (const unsigned long timeout : {1UL, 2UL, 4UL, 7UL, 12UL, 20UL}) {
+      for (const unsigned long timeout : {1UL, 2UL, 4UL, 7UL, 12UL, 20UL, 30UL, 45UL, 70UL, 100UL, 150UL, 220UL}) {
         detector.setTimeout(timeout);
         const double wallStart = wallMilliseconds();
         const double cpuStart = cpuMilliseconds();

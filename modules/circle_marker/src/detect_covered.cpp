@@ -53,21 +53,21 @@ MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const Camer
 std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
                                                    const EllipseCandidate &outline, const PosePair &poses,
                                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings,
-                                                   MeasureMemory &memory)
+                                                   MeasureMemory &memory, const Deadline &deadline)
 {
   const auto ring = recogniseCoveredRing(I, camera, poses, outline, family);
   if (!ring) {
     return std::nullopt;
   }
   const auto measurement = measure(I, camera, *ring, true, memory);
-  if (!measurement) {
+  if (!measurement || deadline.hasPassed()) {
     return std::nullopt;
   }
   const MeasuredRing first = ringOf(measurement->first, ring->poses[0], camera);
   const bool hasTwin = measurement->second && measurement->cost2 - measurement->cost < hopelessOdds;
   const std::array<MeasuredRing, 2> measured = {first,
                                                 hasTwin ? ringOf(*measurement->second, ring->poses[0], camera) : first};
-  Judged<Recognition> marker = recogniseCovered(I, camera, measured, family, settings, memory.track);
+  Judged<Recognition> marker = recogniseCovered(I, camera, measured, family, settings, memory.track, deadline);
   return marker ? std::optional<Recognition>(std::move(*marker)) : std::nullopt;
 }
 

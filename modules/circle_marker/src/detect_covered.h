@@ -37,12 +37,13 @@ namespace circle_marker {
   \param family : What to recognise it as.
   \param settings : How strictly a code is read.
   \param memory : Working memory of the measurement.
+  \param deadline : When to stop: it is none then.
   \return The marker; nothing if it is none.
 */
 std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
                                                    const EllipseCandidate &outline, const PosePair &poses,
                                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings,
-                                                   MeasureMemory &memory);
+                                                   MeasureMemory &memory, const Deadline &deadline = Deadline());
 
 /*! How an outline is read. */
 enum class ReadingKind

@@ -108,7 +108,7 @@ bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily
 }
 
 std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
-                                         Recognition &marker, MeasureMemory &memory)
+                                         Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
 {
   if (!marker.isCertain) {
     const auto start = measure(I, camera, marker, false, memory);
@@ -119,13 +119,16 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
   for (int round = 0; round < mostRounds; ++round) {
     const ImageFrame frame = frameOf(marker.poses[0], camera);
     auto measurement = measure(I, camera, marker, true, memory);
-    if (!measurement) {
+    if (!measurement || deadline.hasPassed()) {
       return std::nullopt;
     }
     if (!marker.isCertain && measurement->first.correlation < leastCorrelationMeasured) {
       return std::nullopt;
     }
-    const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family);
+    const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family, deadline);
+    if (deadline.hasPassed()) {
+      return std::nullopt;
+    }
     if (!code) { // the first reading decides, if what was read is there at all
       return marker.isCertain && leavesWhatPrintsLeave(measurement->first, noise) ? measurement : std::nullopt;
     }

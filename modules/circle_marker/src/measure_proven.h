@@ -22,6 +22,7 @@
 
 #include "decode/recognise.h"
 #include "refine/measure.h"
+#include "support/deadline.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -43,10 +44,12 @@ bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily
   \param noise : Standard deviation of the image's noise, grey levels.
   \param marker : The marker; its code may be another one afterwards.
   \param memory : Working memory.
+  \param deadline : When to stop: nothing is proven then.
   \return Nothing if no codeword explains the image, or two of them do.
 */
 std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
-                                         Recognition &marker, MeasureMemory &memory);
+                                         Recognition &marker, MeasureMemory &memory,
+                                         const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -142,6 +142,7 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
   m_examinations.assign(outlines.size(), Examination());
   m_measured.clear();
   listAttempts(settings.families, m_attempts);
+  allowBlurred(visit, outlines);
   bool isOver = false;
   while (!isOver) {
     if (m_workers.getCount() > 1) {

@@ -80,6 +80,7 @@ private:
     std::size_t attempt = 0;                          //!< Index of the way to read it that is next.
     bool isRead = false;                              //!< Whether that was done.
     bool isOver = false;                              //!< Whether it is found, or is none.
+    bool mayBeBlurred = false;                        //!< Whether it may be read through a blur.
     std::optional<circle_marker::Recognition> marker; //!< What it was read as.
     std::size_t place = 0;                            //!< Of what was measured of it, in m_measured.
     bool isFound = false;                             //!< Whether that is a marker.
@@ -111,6 +112,7 @@ private:
   void searchWhole(const Visit &visit);
   void searchRegion(const Visit &visit, const circle_marker::PixelBox &box);
   void examineAll(const Visit &visit, const Outlines &outlines);
+  void allowBlurred(const Visit &visit, const Outlines &outlines);
   void readTogether(const Visit &visit, const Outlines &outlines);
   void read(const Visit &visit, const circle_marker::EllipseCandidate &outline, Bench &bench,
             Examination &examination) const;

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 
+#include "decode/edge_width.h"
 #include "detect_covered.h"
 #include "pose/hypotheses.h"
 #include "refine/blurred_measurement.h"
@@ -35,6 +36,10 @@ namespace {
 // Plain rings are promised from a minor axis of 8 pixels on; the smaller the more there is that looks like one. When it
 // is refined, its semi-axis is known to some hundredths of a pixel.
 constexpr double leastRingSemiMinor = 3.8;
+
+// Outlines of an image that are read through a blur, at most. A picture that is out of focus has hundreds of them if it
+// is full of rings; with as many as this it takes two seconds and a family.
+constexpr std::size_t mostBlurred = 16;
 
 // The image fixes the poses up to the size: everything scales with it.
 void scaleTo(double size, PosePair &poses)
@@ -66,13 +71,13 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   // Who asks for more certainty than by default, or forbids corrections, gets what is read sector by sector.
   const bool mayProve = settings.refinePose && settings.decode.maximumHamming > 0 &&
                         settings.decode.minimumMargin <= DecodeSettings().minimumMargin;
-  while (poses && !examination.marker && examination.attempt < m_attempts.size()) {
+  while (poses && !examination.marker && examination.attempt < m_attempts.size() && !visit.deadline.hasPassed()) {
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
     if (attempt.kind != ReadingKind::WHOLE) {
       if (attempt.kind == ReadingKind::COVERED) {
-        examination.marker =
-            recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, family, settings.decode, bench.measuring);
+        examination.marker = recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, family, settings.decode,
+                                                     bench.measuring, visit.deadline);
       }
       else if (mayProve && mayBeUncertain(outline.ellipse, family)) {
         examination.marker = recogniseUncertain(visit.I, visit.camera, *poses, family);
@@ -96,13 +101,28 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   examination.isOver = !examination.marker;
 }
 
+/*!
+  Allows the largest of the outlines that look blurred to be read through the blur: a tenth of a second for each. Which
+  ones does not depend on the threads, nor on what is read.
+*/
+void vpDetectorCircleMarker::Impl::allowBlurred(const Visit &visit, const Outlines &outlines)
+{
+  const bool isAsked = std::any_of(settings.families.begin(), settings.families.end(),
+                                   [](const vpCircleMarkerFamily &family) { return family.isCoded(); });
+  std::size_t allowed = 0;
+  for (std::size_t i = 0; isAsked && i < outlines.size() && allowed < mostBlurred && !visit.deadline.hasPassed(); ++i) {
+    m_examinations[i].mayBeBlurred = looksBlurred(visit.I, outlines[i].ellipse);
+    allowed += m_examinations[i].mayBeBlurred ? 1 : 0;
+  }
+}
+
 /*! An outline as a marker of a family of which nothing is covered. */
 void vpDetectorCircleMarker::Impl::readWhole(const Visit &visit, const EllipseCandidate &outline, const PosePair &poses,
                                              const vpCircleMarkerFamily &family, Examination &examination) const
 {
   ReadingTrace trace;
   Judged<Recognition> marker = recognise(visit.I, visit.camera, poses, outline, family, settings.decode,
-                                         keepsDebug ? &trace : nullptr, visit.deadline);
+                                         keepsDebug ? &trace : nullptr, examination.mayBeBlurred, visit.deadline);
   if (keepsDebug) {
     examination.candidates.push_back(candidateOf(outline, family, marker.reason()));
     addReading(trace, family, visit.camera, examination.candidates.back());
@@ -128,7 +148,8 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
       settings.refinePose && !marker.seen && !marker.blurred && wantsProof(outline.ellipse, marker.family);
   auto measurement =
       isProofWanted
-          ? measureProven(visit.I, visit.camera, m_outlines.full.gradient.noise, marker, bench.measuring)
+          ? measureProven(visit.I, visit.camera, m_outlines.full.gradient.noise, marker, bench.measuring,
+                          visit.deadline)
           : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring));
   if (!measurement || (settings.refinePose && !isProofWanted &&
                        !explainsCorrections(visit.I, visit.camera, marker, *measurement, bench.measuring))) {

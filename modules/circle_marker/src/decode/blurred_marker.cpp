@@ -142,6 +142,13 @@ void BlurredMarker::see(const BlurredSample &sample, Point &point) const
   }
 }
 
+// Whether the deadline has passed, asked every few samples: each is 9 or 19 points of the print, some microseconds.
+bool BlurredMarker::isOver(Eigen::Index sample) const
+{
+  constexpr Eigen::Index samplesAtOnce = 64;
+  return sample % samplesAtOnce == 0 && m_deadline.hasPassed();
+}
+
 double BlurredMarker::darkness(const BlurredSample &sample, const Eigen::VectorXd &linear) const
 {
   Point point;
@@ -178,7 +185,7 @@ void BlurredMarker::select(const MarkerPlane &plane, const ImageBlur &blur, std:
   const int top = std::max(0, static_cast<int>(std::ceil(least.y())));
   const int right = std::min(static_cast<int>(m_image.getWidth()), static_cast<int>(most.x()) + 1);
   const int bottom = std::min(static_cast<int>(m_image.getHeight()), static_cast<int>(most.y()) + 1);
-  for (int y = top; y + block <= bottom; y += block) {
+  for (int y = top; y + block <= bottom && !m_deadline.hasPassed(); y += block) {
     for (int x = left; x + block <= right; x += block) {
       BlurredSample sample;
       sample.pixel = Eigen::Vector2d(x + 0.5 * (block - 1), y + 0.5 * (block - 1));
@@ -210,6 +217,10 @@ void BlurredMarker::solve(BlurredFit &fit)
   Eigen::MatrixXd design(rows, columns);
   Eigen::VectorXd greys(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
+    if (isOver(i)) {
+      fit.squares = HUGE_VAL;
+      return;
+    }
     const BlurredSample &sample = m_samples[static_cast<std::size_t>(i)];
     Point point;
     see(sample, point);
@@ -262,7 +273,8 @@ BlurredFit BlurredMarker::changed(const BlurredFit &from, const Eigen::VectorXd 
   return to;
 }
 
-void BlurredMarker::linearise(const BlurredFit &fit, int poseSize, Eigen::MatrixXd &matrix, Eigen::VectorXd &right)
+// False after the deadline.
+bool BlurredMarker::linearise(const BlurredFit &fit, int poseSize, Eigen::MatrixXd &matrix, Eigen::VectorXd &right)
 {
   const int moving = poseSize + (fit.blur.disc > 0. ? 1 : 2);
   const int columns = BlurredFit::firstSector + m_sectors;
@@ -272,6 +284,9 @@ void BlurredMarker::linearise(const BlurredFit &fit, int poseSize, Eigen::Matrix
   Eigen::VectorXd here(rows);
   setPose(fit.plane, fit.blur);
   for (Eigen::Index i = 0; i < rows; ++i) {
+    if (isOver(i)) {
+      return false;
+    }
     const BlurredSample &sample = m_samples[static_cast<std::size_t>(i)];
     Point point;
     see(sample, point);
@@ -294,6 +309,9 @@ void BlurredMarker::linearise(const BlurredFit &fit, int poseSize, Eigen::Matrix
     const BlurredFit other = changed(fit, by, poseSize);
     setPose(other.plane, other.blur);
     for (Eigen::Index i = 0; i < rows; ++i) {
+      if (isOver(i)) {
+        return false;
+      }
       derivatives(i, k) = (here[i] - darkness(m_samples[static_cast<std::size_t>(i)], fit.linear)) / by[k];
     }
   }
@@ -304,6 +322,7 @@ void BlurredMarker::linearise(const BlurredFit &fit, int poseSize, Eigen::Matrix
     matrix(moving + k, moving + k) += sectorPrior;
   }
   right = derivatives.transpose() * residuals;
+  return true;
 }
 
 void BlurredMarker::improve(BlurredFit &fit, int steps, bool movesSpin)
@@ -316,8 +335,10 @@ void BlurredMarker::improve(BlurredFit &fit, int steps, bool movesSpin)
   Eigen::MatrixXd matrix;
   Eigen::VectorXd right;
   double gain = 1.;
-  for (int step = 0; step < steps && fit.squares < HUGE_VAL && gain > leastGain && !m_deadline.hasPassed(); ++step) {
-    linearise(fit, poseSize, matrix, right);
+  for (int step = 0; step < steps && fit.squares < HUGE_VAL && gain > leastGain; ++step) {
+    if (!linearise(fit, poseSize, matrix, right)) {
+      return;
+    }
     gain = 0.;
     for (int trial = 0; trial < mostTrials && gain == 0.; ++trial) {
       Eigen::MatrixXd damped = matrix;
@@ -345,7 +366,9 @@ Eigen::Matrix<double, 6, 6> BlurredMarker::covariance(const BlurredFit &fit)
 {
   Eigen::MatrixXd matrix;
   Eigen::VectorXd right;
-  linearise(fit, 6, matrix, right);
+  if (!linearise(fit, 6, matrix, right)) {
+    return Eigen::Matrix<double, 6, 6>::Identity();
+  }
   const double freedom = std::max(static_cast<double>(m_samples.size()) - static_cast<double>(matrix.rows()), 1.);
   const Eigen::MatrixXd inverse = matrix.ldlt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
   return coherence * fit.squares / freedom * inverse.topLeftCorner<6, 6>();

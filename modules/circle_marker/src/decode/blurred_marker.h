@@ -86,18 +86,19 @@ public:
   {
   }
 
-  /*! Chooses samples, about so many, that see nothing beyond the quiet zone at this pose and blur. */
+  /*! Chooses samples, about so many, that see nothing beyond the quiet zone at this pose and blur; fewer after the
+    deadline. */
   void select(const MarkerPlane &plane, const ImageBlur &blur, std::size_t count);
 
   std::size_t size() const { return m_samples.size(); }
 
-  /*! The linear part at a pose and blur. */
+  /*! The linear part at a pose and blur. After the deadline nothing fits: the squares are HUGE_VAL. */
   void solve(BlurredFit &fit);
 
-  /*! Steps of the nonlinear part. */
+  /*! Steps of the nonlinear part, as many as the deadline allows. */
   void improve(BlurredFit &fit, int steps, bool movesSpin);
 
-  /*! Covariance of the twist (t, w) of the pose in the marker's frame: outer radii, rad. */
+  /*! Covariance of the twist (t, w) of the pose in the marker's frame: outer radii, rad. After the deadline any. */
   Eigen::Matrix<double, 6, 6> covariance(const BlurredFit &fit);
 
 private:
@@ -109,7 +110,8 @@ private:
   void setPose(const MarkerPlane &plane, const ImageBlur &blur);
   void see(const BlurredSample &sample, Point &point) const;
   BlurredFit changed(const BlurredFit &from, const Eigen::VectorXd &by, int poseSize) const;
-  void linearise(const BlurredFit &fit, int poseSize, Eigen::MatrixXd &matrix, Eigen::VectorXd &right);
+  bool linearise(const BlurredFit &fit, int poseSize, Eigen::MatrixXd &matrix, Eigen::VectorXd &right);
+  bool isOver(Eigen::Index sample) const;
   double darkness(const BlurredSample &sample, const Eigen::VectorXd &linear) const;
 
   const vpImage<unsigned char> &m_image;

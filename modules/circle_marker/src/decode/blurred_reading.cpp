@@ -49,6 +49,9 @@ constexpr int finishedSteps = 10;
 constexpr double mostUnexplainedAtFirst = 0.6;
 // Spins that are told apart, by the sector.
 constexpr int phases = 8;
+// A codeword that is seen through a blur leaves this share of the image's variance unexplained at most: those of true
+// markers leave a hundredth.
+constexpr double mostUnexplained = 0.05;
 // A codeword that leaves less than this unexplained is not looked for elsewhere.
 constexpr double sureUnexplained = 0.01;
 
@@ -206,11 +209,19 @@ struct BestWords
   double next = HUGE_VAL;
 };
 
-BestWords bestWords(const BlurredFit &fit, const CyclicCode &code)
+// After the deadline the best of those so far.
+BestWords bestWords(const BlurredFit &fit, const CyclicCode &code, const Deadline &deadline)
 {
+  constexpr unsigned int wordsAtOnce = 1024; // some tenths of a millisecond
   const CodewordSquares squares(fit, static_cast<int>(code.getLength()));
   BestWords words;
+  unsigned int count = 0;
+  bool isOver = false;
   code.forEachCodeword([&](CyclicCode::Word word) {
+    isOver = isOver || (++count % wordsAtOnce == 0 && deadline.hasPassed());
+    if (isOver) {
+      return;
+    }
     const double here = squares.of(word);
     if (here < words.squares) {
       words.next = words.squares;
@@ -274,7 +285,8 @@ void fitBoth(BlurredMarker &marker, const CameraModel &camera, BlurredReading &r
 
 std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const CameraModel &camera,
                                           const EllipseParameters &outline, double radius,
-                                          const vpCircleMarkerFamily &family, const Deadline &deadline)
+                                          const vpCircleMarkerFamily &family, double leastMargin,
+                                          const Deadline &deadline)
 {
   BlurredMarker marker(I, camera, family, deadline);
   std::vector<BlurredFit> fits = firstLooks(marker, camera, outline, radius, deadline);
@@ -312,7 +324,7 @@ std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const
       continue;
     }
     marker.improve(turned, finishedSteps, true);
-    const BestWords words = bestWords(turned, code);
+    const BestWords words = bestWords(turned, code, deadline);
     const auto identity = code.identify(words.best);
     if (!identity) {
       continue;
@@ -331,13 +343,11 @@ std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const
       break;
     }
   }
-  if (deadline.hasPassed()) {
-    return std::nullopt;
+  if (deadline.hasPassed() || !best || best->unexplained > mostUnexplained || best->code.margin < leastMargin) {
+    return std::nullopt; // and no time is spent on its poses
   }
-  if (best) {
-    fitBoth(marker, camera, *best);
-  }
-  return best;
+  fitBoth(marker, camera, *best);
+  return deadline.hasPassed() ? std::nullopt : best;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

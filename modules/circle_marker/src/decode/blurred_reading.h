@@ -58,12 +58,14 @@ struct BlurredReading
   \param outline : Ellipse of the blurred outline, pixels.
   \param radius : Outer radius of the ring, metres.
   \param family : The family.
+  \param leastMargin : Of the code.
   \param deadline : When to stop: there is no result then.
-  \return Nothing if nothing like the marker is there.
+  \return Nothing if nothing like the marker is there, or its code is not certain.
 */
 std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const CameraModel &camera,
                                           const EllipseParameters &outline, double radius,
-                                          const vpCircleMarkerFamily &family, const Deadline &deadline = Deadline());
+                                          const vpCircleMarkerFamily &family, double leastMargin,
+                                          const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -49,10 +49,6 @@ constexpr double sameRatioPixels = 0.8;
 // Of a covered marker fewer pixels are left to read: its semi-minor axis, pixels, is twice as large at least.
 constexpr double leastCoveredSemiMinor = 6.;
 
-// A codeword that is seen through a blur leaves this share of the image's variance unexplained at most: those of true
-// markers leave a hundredth.
-constexpr double mostUnexplained = 0.05;
-
 // Whether enough of the sectors are seen, black and white, that measuring the ring is worth while.
 bool looksLikeCode(const SectorReading &reading)
 {
@@ -128,8 +124,9 @@ std::optional<Recognition> recogniseBlurred(const vpImage<unsigned char> &I, con
                                             const vpCircleMarkerFamily &family, const DecodeSettings &settings,
                                             const Deadline &deadline)
 {
-  const auto reading = readBlurred(I, camera, outline.ellipse, poses[0].radius, family, deadline);
-  if (!reading || reading->unexplained > mostUnexplained || reading->code.margin < settings.minimumMargin) {
+  const auto reading =
+      readBlurred(I, camera, outline.ellipse, poses[0].radius, family, settings.minimumMargin, deadline);
+  if (!reading) {
     return std::nullopt;
   }
   Recognition result;
@@ -203,7 +200,8 @@ Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const Camera
 
 Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
                               const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
-                              const DecodeSettings &settings, ReadingTrace *trace, const Deadline &deadline)
+                              const DecodeSettings &settings, ReadingTrace *trace, bool mayBeBlurred,
+                              const Deadline &deadline)
 {
   if (!family.isCoded()) {
     return recogniseShape(I, camera, poses, outline, family);
@@ -214,7 +212,7 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
   if (outline.ellipse.b < leastCodeSemiMinor || trackPixels < leastSectorPixels * family.getNbSectors()) {
     return vpCircleMarkerReject::TOO_SMALL;
   }
-  if (looksBlurred(I, outline.ellipse)) {
+  if (mayBeBlurred && looksBlurred(I, outline.ellipse)) {
     if (auto blurred = recogniseBlurred(I, camera, poses, outline, family, settings, deadline)) {
       return std::move(*blurred);
     }
@@ -271,11 +269,14 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
 
 Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
                                      const std::array<MeasuredRing, 2> &rings, const vpCircleMarkerFamily &family,
-                                     const DecodeSettings &settings, TrackMemory &memory)
+                                     const DecodeSettings &settings, TrackMemory &memory, const Deadline &deadline)
 {
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_RING, vpCircleMarkerReject::NO_RING};
   std::array<std::optional<SeenParts>, 2> seen;
   for (std::size_t i = 0; i < 2; ++i) {
+    if (deadline.hasPassed()) {
+      return vpCircleMarkerReject::TIMEOUT;
+    }
     auto reading = readCoveredSectors(I, camera, rings[i].plane, family);
     if (!reading) {
       continue;
@@ -283,6 +284,9 @@ Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const Came
     seen[i] = reading->seen;
     TrackPixels pixels(I, camera, rings[i], family, memory);
     pixels.improve(reading->sectors);
+    if (deadline.hasPassed()) { // to here, and to the end, takes some milliseconds each
+      return vpCircleMarkerReject::TIMEOUT;
+    }
     codes[i] = identifyCovered(reading->sectors, pixels, family, settings);
   }
   const std::size_t best = isFarther(codes[0], codes[1]) ? 1 : 0;

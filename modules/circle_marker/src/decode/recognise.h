@@ -60,12 +60,13 @@ struct ReadingTrace
   \param family : The family.
   \param settings : How strictly a code is read.
   \param trace : If not null, what was read on the way.
-  \param deadline : When to stop reading through a blur, which takes long.
+  \param mayBeBlurred : Whether it is read through a blur if it looks so, which takes long.
+  \param deadline : When to stop reading through a blur.
   \return The marker, or the reason of the pose under which it came farther.
 */
 Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
                               const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
-                              const DecodeSettings &settings, ReadingTrace *trace = nullptr,
+                              const DecodeSettings &settings, ReadingTrace *trace = nullptr, bool mayBeBlurred = true,
                               const Deadline &deadline = Deadline());
 
 /*!
@@ -93,10 +94,12 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   \param family : The family.
   \param settings : How strictly a code is read.
   \param memory : Working memory.
+  \param deadline : When to stop: it is none then.
 */
 Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
                                      const std::array<MeasuredRing, 2> &rings, const vpCircleMarkerFamily &family,
-                                     const DecodeSettings &settings, TrackMemory &memory);
+                                     const DecodeSettings &settings, TrackMemory &memory,
+                                     const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

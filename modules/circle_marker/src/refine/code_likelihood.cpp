@@ -319,7 +319,7 @@ std::array<Contender, 2> bestTwo(const Squares &squares, const CyclicCode &code,
 
 std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const CameraModel &camera,
                                          const FittedPose &fit, const ImageFrame &frame,
-                                         const vpCircleMarkerFamily &family)
+                                         const vpCircleMarkerFamily &family, const Deadline &deadline)
 {
   const vpCircleMarkerLayout &layout = family.getLayout();
   const auto track = trackOf(I, camera, fit, frame, layout);
@@ -330,6 +330,9 @@ std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const 
   const double pitch = fullTurn / code.getLength();
   std::array<Contender, 2 * phases> contenders;
   for (int phase = 0; phase < phases; ++phase) {
+    if (deadline.hasPassed()) { // a phase of bch31 takes about a millisecond
+      return std::nullopt;
+    }
     const double start = pitch * phase / phases;
     const auto two = bestTwo(squaresOf(*track, layout, static_cast<int>(code.getLength()), start), code, start);
     std::copy(two.begin(), two.end(), contenders.begin() + 2 * phase);

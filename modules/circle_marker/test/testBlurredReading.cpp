@@ -1,0 +1,150 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Tests of reading codes through a blur.
+ */
+
+#include "testRoomTools.h"
+
+#include "decode/blurred_reading.h"
+
+#include <gtest/gtest.h>
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr unsigned int side = 200; // pixels
+constexpr double lens = 0.7;       // blur, pixels
+
+//! What moves by an odd number of pixels along u during the exposure.
+vpImage<double> moved(const vpImage<double> &sharp, int way)
+{
+  vpImage<double> I(sharp.getHeight(), sharp.getWidth(), 0.);
+  const int last = static_cast<int>(sharp.getWidth()) - 1;
+  for (unsigned int v = 0; v < sharp.getHeight(); ++v) {
+    for (int u = 0; u <= last; ++u) {
+      for (int k = -way / 2; k <= way / 2; ++k) {
+        I[v][static_cast<unsigned int>(u)] += sharp[v][static_cast<unsigned int>(std::clamp(u + k, 0, last))] / way;
+      }
+    }
+  }
+  return I;
+}
+
+//! What is out of focus: the image of a point is a disc of a radius in pixels.
+vpImage<double> defocused(const vpImage<double> &sharp, int radius)
+{
+  vpImage<double> I(sharp.getHeight(), sharp.getWidth(), 0.);
+  const int width = static_cast<int>(sharp.getWidth());
+  const int height = static_cast<int>(sharp.getHeight());
+  for (int v = 0; v < height; ++v) {
+    for (int u = 0; u < width; ++u) {
+      double sum = 0.;
+      double count = 0.;
+      for (int y = -radius; y <= radius; ++y) {
+        for (int x = -radius; x <= radius; ++x) {
+          if (x * x + y * y <= radius * radius) {
+            sum += sharp[static_cast<unsigned int>(std::clamp(v + y, 0, height - 1))]
+                        [static_cast<unsigned int>(std::clamp(u + x, 0, width - 1))];
+            count += 1.;
+          }
+        }
+      }
+      I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)] = sum / count;
+    }
+  }
+  return I;
+}
+
+constexpr double diameter = 80.; // pixels
+constexpr double leastMargin = 0.5;
+
+MarkerScene sceneOf(Random &random, const vpCircleMarkerFamily &family)
+{
+  MarkerScene scene = markerScene(random, family, static_cast<int>(random() % family.getNbIds()), diameter, 0.2, side);
+  scene.sheet = 2.;
+  return scene;
+}
+
+//! The outline through a motion along u, longer at both ends; nearly a circle without.
+EllipseParameters outlineOf(const MarkerScene &scene, double way)
+{
+  EllipseParameters outline;
+  outline.center = scene.frame().center;
+  outline.a = 0.5 * diameter + 0.28 * way;
+  outline.b = 0.5 * diameter * std::cos(0.1); // half way between frontal and tilted
+  outline.angle = 0.;
+  return outline;
+}
+
+void expectRead(const vpImage<unsigned char> &I, const MarkerScene &scene, double way)
+{
+  const vpCircleMarkerFamily &family = scene.family;
+  const CameraModel camera(scene.camera());
+  const auto reading = readBlurred(I, camera, outlineOf(scene, way), scene.radius, family, leastMargin);
+  ASSERT_TRUE(reading) << family.getName();
+  EXPECT_EQ(family.getCodeword(reading->code.id), scene.word) << family.getName();
+  MarkerPlane plane = reading->fit.plane;
+  plane.spin(reading->code.spin);
+  const double cosine = plane.rotation.col(0).dot(scene.rotation.col(0));
+  EXPECT_GT(cosine, std::cos(0.5 * M_PI / family.getNbSectors())) << family.getName();
+  EXPECT_LT((plane.center - scene.center).head<2>().norm(), 0.02 * scene.radius);
+}
+} // namespace
+
+TEST(BlurredReading, CodesOfMarkersThatMoveAreRead)
+{
+  constexpr int way = 17; // pixels, a fifth of the diameter
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31R}) {
+    const MarkerScene scene = sceneOf(random, vpCircleMarkerFamily(type));
+    expectRead(digitise(moved(expose(side, side, lens, scene), way), 1., random), scene, way);
+  }
+}
+
+TEST(BlurredReading, CodesOutOfFocusAreRead)
+{
+  constexpr int radius = 10; // pixels, an eighth of the diameter
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31R}) {
+    const MarkerScene scene = sceneOf(random, vpCircleMarkerFamily(type));
+    expectRead(digitise(defocused(expose(side, side, lens, scene), radius), 1., random), scene, 0.);
+  }
+}
+
+TEST(BlurredReading, NothingWithoutACodeword)
+{
+  Random random = randomOfTest();
+  MarkerScene scene = sceneOf(random, vpCircleMarkerFamily(vpCircleMarkerFamily::BCH31R));
+  scene.word ^= 0x1f0f0000; // of 31 sectors nine others: codewords differ in eleven at least
+  const vpImage<unsigned char> I = digitise(defocused(expose(side, side, lens, scene), 8), 1., random);
+  EXPECT_FALSE(
+      readBlurred(I, CameraModel(scene.camera()), outlineOf(scene, 0.), scene.radius, scene.family, leastMargin));
+}
+
+TEST(BlurredReading, NothingWithoutMarginOrTime)
+{
+  Random random = randomOfTest();
+  const MarkerScene scene = sceneOf(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23));
+  const vpImage<unsigned char> I = digitise(defocused(expose(side, side, lens, scene), 10), 1., random);
+  const CameraModel camera(scene.camera());
+  const EllipseParameters outline = outlineOf(scene, 0.);
+  EXPECT_TRUE(readBlurred(I, camera, outline, scene.radius, scene.family, leastMargin));
+  EXPECT_FALSE(readBlurred(I, camera, outline, scene.radius, scene.family, 1.)) << "margin";
+  for (const double milliseconds : {1e-6, 1., 5.}) { // it takes a tenth of a second
+    EXPECT_FALSE(readBlurred(I, camera, outline, scene.radius, scene.family, leastMargin, Deadline(milliseconds)))
+        << milliseconds << " ms";
+  }
+}
