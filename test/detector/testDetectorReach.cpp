@@ -32,7 +32,8 @@ struct Sort
   double mostTilt;              //!< rad
   double leastGround;           //!< Least and most grey level of what is around their squares.
   double mostGround;
-  double floor; //!< Share that is found at least.
+  double floor;      //!< Share that is found at least.
+  double blur = 0.7; //!< Pixels.
 };
 
 // Eight images of 24 markers each.
@@ -48,6 +49,9 @@ void expectReach(const Sort &sort)
   for (int image = 0; image < 8; ++image) {
     vpMarkerSceneSimulator simulator(straightCamera(), width, height);
     simulator.setBackground(vpSceneBackground::plain(uniform(random, sort.leastGround, sort.mostGround)));
+    vpScenePhotometry photometry;
+    photometry.blurSigma = sort.blur;
+    simulator.setPhotometry(photometry);
     for (int i = 0; i < columns * rows; ++i) {
       const double u = width * (i % columns + 0.5) / columns + uniform(random, -5., 5.);
       const double v = height * (i / columns + 0.5) / rows + uniform(random, -5., 5.);
@@ -84,6 +88,12 @@ TEST(DetectorReach, RingsFromAMinorAxisOfEightPixels)
 TEST(DetectorReach, RingsFromAMinorAxisOfEightPixelsOnWhite)
 {
   expectReach({vpCircleMarkerFamily::RING, 8., 12., 1.3, 220., 220., 0.97});
+}
+
+// On ground as dark as the ink, a quiet zone that is hardly wider than the blur leaves no outer edge either.
+TEST(DetectorReach, RingsInMuchBlurOnDarkGround)
+{
+  expectReach({vpCircleMarkerFamily::RING, 14., 18., 1., 20., 60., 0.9, 1.1});
 }
 
 // The ring is in the image, its quiet zone is not, in up to a third of the directions.

@@ -35,9 +35,9 @@ constexpr std::size_t fewestPoints = 8;
 constexpr std::uint8_t brightInside = 2;
 // A dark blob of fewer pixels around hides no piece of a ring: covered markers have a semi-minor axis of 6 pixels.
 constexpr std::size_t longestBlob = 38;
-// Longer closed edges are not the inside of a ring that is too thin to have an outer edge: one of 14 pixels at 75
-// degrees has 60 around its inside.
-constexpr std::size_t longestThinRing = 64;
+// Longer closed edges are not the inside of a ring that is too thin to have an outer edge: one of 22 pixels at 60
+// degrees has 100 around its inside.
+constexpr std::size_t longestThinRing = 100;
 // No outline inside of the image is longer than the image's own: longer closed chains are something else.
 constexpr std::size_t longestOutline = 2;
 

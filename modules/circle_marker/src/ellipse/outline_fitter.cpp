@@ -64,9 +64,9 @@ constexpr double riseOfNoise = 0.7;
 // Share of a thin ring's inner edge beyond which a dark line must be seen.
 constexpr double leastDarkLine = 0.75;
 // Semi-minor axes of the outlines that are sought by their dark line, pixels: of smaller rings too little is left, of
-// larger ones the outer edge shows.
+// larger ones the outer edge shows, even on dark ground in a blur of 1.1.
 constexpr double leastThinRing = 3.7;
-constexpr double mostThinRing = 7.;
+constexpr double mostThinRing = 11.;
 
 double rootMeanSquareDistance(const EllipseCandidate &candidate, const EdgePoint *points, std::size_t count)
 {
