@@ -147,7 +147,7 @@ TEST(DetectorAllocations, NoneWithAMarker)
   for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31R, vpCircleMarkerFamily::RING}) {
     const vpCircleMarkerFamily family(type);
     vpDetectorCircleMarker detector(family);
-    for (const double diameter : {45., 60., 120., 250.}) {
+    for (const double diameter : {20., 45., 60., 120., 250.}) {
       vpMarkerSceneSimulator simulator(straightCamera(), width, height);
       vpSimulatedMarker marker = vpSimulatedMarker::circle(family.getName(), randomId(random, family), size);
       simulator.addMarker(marker.setPose(randomPose(random, diameter, 0.6)));

@@ -125,7 +125,7 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
     if (!marker.isCertain && measurement->first.correlation < leastCorrelationMeasured) {
       return std::nullopt;
     }
-    const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family, deadline);
+    const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family, memory.code, deadline);
     if (deadline.hasPassed()) {
       return std::nullopt;
     }

@@ -49,7 +49,8 @@ vpImage<unsigned char> imageOf(const MarkerScene &scene, Random &random)
 
 std::optional<LikelyCode> read(const vpImage<unsigned char> &I, const MarkerScene &scene, double spin)
 {
-  return mostLikelyCode(I, CameraModel(scene.camera()), fitOf(scene, spin), scene.frame(), scene.family);
+  CodeImage track;
+  return mostLikelyCode(I, CameraModel(scene.camera()), fitOf(scene, spin), scene.frame(), scene.family, track);
 }
 } // namespace
 
@@ -112,10 +113,11 @@ TEST(CodeLikelihood, OddsFallWithTheNoise)
   const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 5, 20., 0.3, side);
   const vpImage<unsigned char> I = imageOf(scene, random);
   FittedPose fit = fitOf(scene, 0.);
+  CodeImage track;
   double last = HUGE_VAL;
   for (const double believed : {2., 20., 40., 80.}) {
     fit.noise = believed;
-    const auto code = mostLikelyCode(I, CameraModel(scene.camera()), fit, scene.frame(), scene.family);
+    const auto code = mostLikelyCode(I, CameraModel(scene.camera()), fit, scene.frame(), scene.family, track);
     ASSERT_TRUE(code);
     EXPECT_LT(code->odds, last);
     last = code->odds;
@@ -128,19 +130,20 @@ TEST(CodeLikelihood, NoneWhereTheModelDoesNotHold)
   const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 5, 30., 0.3, side);
   const vpImage<unsigned char> I = imageOf(scene, random);
   const CameraModel camera(scene.camera());
+  CodeImage track;
   FittedPose fit = fitOf(scene, 0.);
-  ASSERT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family));
+  ASSERT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track));
   fit.photometry.shadow = Shadow();
-  EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family)) << "under a shadow";
+  EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track)) << "under a shadow";
   fit = fitOf(scene, 0.);
   fit.photometry.light = 400.;
-  EXPECT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family)) << "no pixel is as bright as that";
+  EXPECT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track)) << "no pixel is as bright as that";
   vpImage<unsigned char> tooBright = I;
   for (unsigned int i = 0; i < tooBright.getSize(); ++i) {
     tooBright.bitmap[i] = static_cast<unsigned char>(std::min(2. * I.bitmap[i], 255.));
   }
-  EXPECT_FALSE(mostLikelyCode(tooBright, camera, fit, scene.frame(), scene.family)) << "over-exposed";
+  EXPECT_FALSE(mostLikelyCode(tooBright, camera, fit, scene.frame(), scene.family, track)) << "over-exposed";
   fit = fitOf(scene, 0.);
   fit.plane.center.x() += 0.55 * side / scene.focal * fit.plane.center.z();
-  EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family)) << "at the image's border";
+  EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track)) << "at the image's border";
 }

@@ -19,211 +19,18 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
-#include <Eigen/Core>
-
-#include "decode/code_track.h"
 #include "decode/cyclic_code.h"
-#include "refine/plane_point.h"
-#include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
 // Phases of the sectors that are tried: an eighth of a sector moves no edge by more than a small part of the blur.
 constexpr int phases = 8;
-// A pixel sees the sectors whose borders are within this many standard deviations of the blur; and no more than these
-// to either side of the one that it lies in.
-constexpr double reach = 3.;
-constexpr int mostReach = 4;
-// Pixels of the track, and this many standard deviations of the blur around it.
-constexpr double around = 1.5;
-// What the model leaves besides noise, in units of the contrast: pose, blur and light are not exact.
-constexpr double modelError = 0.04;
-// Where paper is brighter than this, grey levels, a pixel that is as well cannot be told from brighter.
-constexpr double brightest = 254.;
 // Spins of one marker in neighbouring phases differ by no more than this, in sectors.
 constexpr double sameSpin = 0.75;
 
 constexpr double fullTurn = 2. * M_PI;
-
-// An edge at a place: the standardised distance, positive on the side that is asked for, the share of that side and its
-// density, and the gradient of the place in the image, in coordinates in which the blur is 1.
-struct Edge
-{
-  Edge(double standardised, const Eigen::Vector2d &across) : distance(standardised), gradient(across)
-  {
-    const auto normal = NormalDistribution::instance().at(standardised);
-    share = normal.cumulative;
-    density = normal.density;
-  }
-
-  double distance, share, density;
-  Eigen::Vector2d gradient; // of unit length
-};
-
-// The side of a circle about the centre that is nearer to it. Its curvature takes from what is inside: image_model.h.
-Edge insideOf(double radius, const PlanePoint &point)
-{
-  const double r = std::max(point.q.norm(), 1e-6);
-  const Eigen::Vector2d gradient = point.byPixel.transpose() * (point.q / r); // of the radius, by the blur
-  const double length = gradient.norm();
-  return {(radius - r) / length - 0.5 * length / std::max(r, length), -gradient / length};
-}
-
-// The side of a border between sectors toward larger angles.
-Edge beyondBorder(double angle, const PlanePoint &point)
-{
-  const Eigen::Vector2d across(-std::sin(angle), std::cos(angle));
-  const Eigen::Vector2d gradient = point.byPixel.transpose() * across;
-  const double length = gradient.norm();
-  return {across.dot(point.q) / length, gradient / length};
-}
-
-// What the probability of both sides is more than the product of both: two terms of the tetrachoric series.
-double together(const Edge &a, const Edge &b)
-{
-  const double rho = a.gradient.dot(b.gradient);
-  return a.density * b.density * rho * (1. + 0.5 * rho * a.distance * b.distance);
-}
-
-/*! The rims of the track at a pixel. */
-struct Rims
-{
-  Edge outer, inner;
-};
-
-/*! What a pixel of the track sees. */
-struct TrackPixel
-{
-  PlanePoint point;
-  Rims rims;
-  double black; // that is not explained by the ring: 0 for white, 1 for ink
-};
-
-/*! Pixels of the track, and how large the noise is on their black. */
-struct Track
-{
-  std::vector<TrackPixel> pixels;
-  double noise = 0.;
-};
-
-// Share of the pixel that lies in the track beyond a border.
-double beyond(double angle, const Rims &rims, const PlanePoint &point)
-{
-  const Edge border = beyondBorder(angle, point);
-  return (rims.outer.share - rims.inner.share) * border.share + together(rims.outer, border) -
-         together(rims.inner, border);
-}
-
-// Black of the ring that a pixel sees.
-double ringAt(const vpCircleMarkerLayout &layout, const PlanePoint &point)
-{
-  const double inner = layout.ringInner > 0. ? insideOf(layout.ringInner, point).share : 0.;
-  return insideOf(1., point).share - inner;
-}
-
-// Nothing if the track leaves the image or the light is not known.
-std::optional<Track> trackOf(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit,
-                             const ImageFrame &frame, const vpCircleMarkerLayout &layout)
-{
-  const Photometry &photometry = fit.photometry;
-  if (photometry.shadow) {
-    return std::nullopt;
-  }
-  const Eigen::Matrix2d blur = photometry.blur.sigma * photometry.blur.shape();
-  Eigen::Vector2d least(HUGE_VAL, HUGE_VAL), most(-HUGE_VAL, -HUGE_VAL);
-  for (int k = 0; k < 16; ++k) {
-    const double angle = fullTurn * k / 16;
-    const Eigen::Vector2d p =
-        camera.toPixel(fit.plane.project(layout.codeOuter * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
-    least = least.cwiseMin(p);
-    most = most.cwiseMax(p);
-  }
-  const double margin = around * photometry.blur.widest() + 1.;
-  if (least.minCoeff() < margin || most.x() > I.getWidth() - 1. - margin || most.y() > I.getHeight() - 1. - margin) {
-    return std::nullopt;
-  }
-  Track track;
-  double squaredContrast = 0.;
-  for (int v = static_cast<int>(least.y() - margin); v <= static_cast<int>(most.y() + margin) + 1; ++v) {
-    for (int u = static_cast<int>(least.x() - margin); u <= static_cast<int>(most.x() + margin) + 1; ++u) {
-      if (u < 0 || v < 0 || u >= static_cast<int>(I.getWidth()) || v >= static_cast<int>(I.getHeight())) {
-        continue;
-      }
-      const Eigen::Vector2d p(u, v);
-      PlanePoint point = planePoint({camera.toMeter(p), camera.meterPerPixel(p)}, fit.plane);
-      point.byPixel = point.byPixel * blur;
-      const Rims rims = {insideOf(layout.codeOuter, point), insideOf(layout.codeInner, point)};
-      if (rims.outer.distance < -around || rims.inner.distance > around) {
-        continue;
-      }
-      const Eigen::Vector2d offset = (p - frame.center) / frame.size;
-      const double light = photometry.light + photometry.lightGradient.dot(offset);
-      const double contrast = light * photometry.contrast;
-      const double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
-      if ((light > brightest && grey > brightest) || contrast <= 0.) {
-        return std::nullopt;
-      }
-      track.pixels.push_back({point, rims, (light - grey) / contrast - ringAt(layout, point)});
-      squaredContrast += contrast * contrast;
-    }
-  }
-  if (track.pixels.empty()) {
-    return std::nullopt;
-  }
-  const double contrast = std::sqrt(squaredContrast / static_cast<double>(track.pixels.size()));
-  track.noise = std::hypot(fit.noise / contrast, modelError);
-  return track;
-}
-
-using SectorMatrix = Eigen::Matrix<double, mostSectors, mostSectors>;
-using SectorVector = Eigen::Matrix<double, mostSectors, 1>;
-
-/*! Squared residuals as a quadratic form of the sectors' colours: squares - 2 right' c + c' matrix c. */
-struct Squares
-{
-  SectorMatrix matrix = SectorMatrix::Zero();
-  SectorVector right = SectorVector::Zero();
-  double squares = 0.;
-};
-
-// With the first sector beginning at an angle.
-Squares squaresOf(const Track &track, const vpCircleMarkerLayout &layout, int sectors, double start)
-{
-  Squares result;
-  const double pitch = fullTurn / sectors;
-  std::array<double, 2 * mostReach + 2> shares;
-  std::array<int, 2 * mostReach + 1> numbers;
-  std::array<double, 2 * mostReach + 1> weights;
-  for (const TrackPixel &pixel : track.pixels) {
-    const PlanePoint &point = pixel.point;
-    const double angle = std::atan2(point.q.y(), point.q.x()) - start;
-    const int own = static_cast<int>(std::floor(angle / pitch));
-    const double blur = point.byPixel.norm() / std::max(point.q.norm(), layout.codeInner); // rad, at most
-    const int wide = std::clamp(static_cast<int>(std::ceil(reach * blur / pitch)), 1, mostReach);
-    for (int k = 0; k <= 2 * wide + 1; ++k) {
-      shares[static_cast<std::size_t>(k)] = beyond(start + (own - wide + k) * pitch, pixel.rims, point);
-    }
-    const int count = 2 * wide + 1;
-    for (int k = 0; k < count; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      numbers[i] = ((own - wide + k) % sectors + sectors) % sectors;
-      weights[i] = shares[i] - shares[i + 1];
-    }
-    for (int i = 0; i < count; ++i) {
-      const auto a = static_cast<std::size_t>(i);
-      result.right[numbers[a]] += weights[a] * pixel.black;
-      for (int j = 0; j < count; ++j) {
-        const auto b = static_cast<std::size_t>(j);
-        result.matrix(numbers[a], numbers[b]) += weights[a] * weights[b];
-      }
-    }
-    result.squares += pixel.black * pixel.black;
-  }
-  return result;
-}
 
 /*! The quadratic form for whole words, by look-ups: what four sectors and the next four have to do with each other. */
 class WordCosts
@@ -319,11 +126,10 @@ std::array<Contender, 2> bestTwo(const Squares &squares, const CyclicCode &code,
 
 std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const CameraModel &camera,
                                          const FittedPose &fit, const ImageFrame &frame,
-                                         const vpCircleMarkerFamily &family, const Deadline &deadline)
+                                         const vpCircleMarkerFamily &family, CodeImage &track, const Deadline &deadline)
 {
   const vpCircleMarkerLayout &layout = family.getLayout();
-  const auto track = trackOf(I, camera, fit, frame, layout);
-  if (!track) {
+  if (!lookAtCode(I, camera, fit, frame, layout, track)) {
     return std::nullopt;
   }
   const CyclicCode &code = codeOf(family);
@@ -334,7 +140,7 @@ std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const 
       return std::nullopt;
     }
     const double start = pitch * phase / phases;
-    const auto two = bestTwo(squaresOf(*track, layout, static_cast<int>(code.getLength()), start), code, start);
+    const auto two = bestTwo(squaresOf(track, layout, static_cast<int>(code.getLength()), start), code, start);
     std::copy(two.begin(), two.end(), contenders.begin() + 2 * phase);
   }
   const Contender &best = *std::min_element(contenders.begin(), contenders.end(),
@@ -348,9 +154,9 @@ std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const 
         contender.id == best.id && std::abs(std::remainder(contender.spin - best.spin, fullTurn)) < sameSpin * pitch;
     next = isSame ? next : std::min(next, contender.cost);
   }
-  const double variance = track->noise * track->noise;
+  const double variance = track.noise * track.noise;
   return LikelyCode{best.id, best.spin, (next - best.cost) / (2. * variance),
-                    std::sqrt(std::max(best.cost, 0.) / (variance * static_cast<double>(track->pixels.size())))};
+                    std::sqrt(std::max(best.cost, 0.) / (variance * static_cast<double>(track.pixels.size())))};
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -33,9 +33,7 @@
 #include <cmath>
 #include <optional>
 
-#include "refine/fit_pixel.h"
-#include "refine/fitted_pose.h"
-#include "support/camera_model.h"
+#include "refine/code_image.h"
 #include "support/deadline.h"
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
@@ -59,13 +57,15 @@ struct LikelyCode
   \param fit : Pose, light and blur; the spin may be any.
   \param frame : Coordinates of the image in which the light was measured.
   \param family : Family of the marker, with a code.
+  \param track : Working memory.
   \param deadline : When to stop: there is no result then.
   \return Nothing where the model does not hold: under the edge of a shadow, where the sensor cannot tell how bright the
   paper is, at the image's border.
 */
 std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const CameraModel &camera,
                                          const FittedPose &fit, const ImageFrame &frame,
-                                         const vpCircleMarkerFamily &family, const Deadline &deadline = Deadline());
+                                         const vpCircleMarkerFamily &family, CodeImage &track,
+                                         const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "decode/recognise.h"
+#include "refine/code_image.h"
 #include "refine/fitter.h"
 
 BEGIN_VISP_NAMESPACE
@@ -52,6 +53,7 @@ struct MeasureMemory
   std::vector<FitPixel> pixels;                  //!< The pixels that are explained.
   std::unique_ptr<Fitter> fitter = makeFitter(); //!< What fits poses to them.
   TrackMemory track;                             //!< Of the code track's pixels.
+  CodeImage code;                                //!< The same of a small marker.
 };
 
 /*!

@@ -1,0 +1,104 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The pixels of a code track, and their likelihood as a function of the sectors.
+ */
+
+#ifndef VP_CIRCLE_MARKER_CODE_IMAGE_H
+#define VP_CIRCLE_MARKER_CODE_IMAGE_H
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "decode/code_track.h"
+#include "refine/fit_pixel.h"
+#include "refine/fitted_pose.h"
+#include "refine/plane_point.h"
+#include "support/camera_model.h"
+#include "support/normal_distribution.h"
+
+#include <visp3/circle_marker/vpCircleMarkerFamily.h>
+#include <visp3/core/vpImage.h>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*!
+  An edge at a place: the standardised distance, positive on the side that is asked for, the share of that side and its
+  density, and the gradient of the place in the image, in coordinates in which the blur is 1.
+*/
+struct BlurredEdge
+{
+  BlurredEdge(double standardised, const Eigen::Vector2d &across) : distance(standardised), gradient(across)
+  {
+    const auto normal = NormalDistribution::instance().at(standardised);
+    share = normal.cumulative;
+    density = normal.density;
+  }
+
+  double distance, share, density;
+  Eigen::Vector2d gradient; // of unit length
+};
+
+/*! The rims of the track at a pixel. */
+struct Rims
+{
+  BlurredEdge outer, inner;
+};
+
+/*! What a pixel of the track sees. */
+struct CodePixel
+{
+  PlanePoint point;
+  Rims rims;
+  double black; // that is not explained by the ring: 0 for white, 1 for ink
+};
+
+/*! Pixels of the track, and how large the noise is on their black. */
+struct CodeImage
+{
+  std::vector<CodePixel> pixels;
+  double noise = 0.;
+};
+
+/*!
+  Looks at the track of a marker whose pose is measured.
+  \param I : The image.
+  \param camera : Its camera.
+  \param fit : Pose, light and blur; the spin may be any.
+  \param frame : Coordinates of the image in which the light was measured.
+  \param layout : Radii of the track.
+  \param track : The result; its memory is used again.
+  \return False if the track leaves the image or the light is not known.
+*/
+bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit,
+                const ImageFrame &frame, const vpCircleMarkerLayout &layout, CodeImage &track);
+
+using SectorMatrix = Eigen::Matrix<double, mostSectors, mostSectors>;
+using SectorVector = Eigen::Matrix<double, mostSectors, 1>;
+
+/*! Squared residuals as a quadratic form of the sectors' colours: squares - 2 right' c + c' matrix c. */
+struct Squares
+{
+  SectorMatrix matrix = SectorMatrix::Zero();
+  SectorVector right = SectorVector::Zero();
+  double squares = 0.;
+};
+
+/*! The squared residuals of a track whose first sector begins at an angle from the plane's x axis, rad. */
+Squares squaresOf(const CodeImage &track, const vpCircleMarkerLayout &layout, int sectors, double start);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
