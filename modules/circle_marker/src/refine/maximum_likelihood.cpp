@@ -217,6 +217,109 @@ private:
   Photometry m_photometry;
   bool m_isBent = false;
 };
+
+// The noise comes down from what the edges' residuals are at the start to that of a right fit, so that they are not
+// taken for outliers while they are needed.
+class NoiseDescent
+{
+public:
+  explicit NoiseDescent(bool isKnown) : m_excess(isKnown ? 0. : 1.), m_updates(isKnown ? 0 : mostNoiseUpdates) {}
+
+  // Whether the noise is no more than that of the residuals.
+  bool isDown() const { return m_excess == 0.; }
+
+  // Whether it stays what it is.
+  bool isOver() const { return m_updates == 0; }
+
+  // The noise after a step.
+  double next(Likelihood &fit)
+  {
+    --m_updates;
+    m_excess = m_excess > leastExcess ? m_excess * excessDecay : 0.;
+    const ResidualSpread spread = fit.spreadOfResiduals();
+    return std::max(spread.median, m_excess * spread.wide);
+  }
+
+private:
+  double m_excess;
+  int m_updates;
+};
+
+// Where the matrix of the equations was formed, and whether it serves at other parameters.
+class MatrixPlace
+{
+public:
+  void set(const MarkerPlane &plane, const Photometry &photometry)
+  {
+    m_plane = plane;
+    m_photometry = photometry;
+  }
+
+  // size: of the step that leads there, standard deviations; unit: of a pixel.
+  bool servesAt(const MarkerPlane &plane, const Photometry &photometry, double size, double unit)
+  {
+    const bool isShorter = size < shorter * m_lastSize;
+    m_lastSize = size;
+    return isShorter && isAlike(m_photometry, photometry) &&
+           outlineMotion(m_plane, plane) < nearMotion * unit * photometry.blur.sigma;
+  }
+
+private:
+  MarkerPlane m_plane;
+  Photometry m_photometry;
+  double m_lastSize = HUGE_VAL;
+};
+
+// A fit against a rival that is better already.
+class Race
+{
+public:
+  explicit Race(const std::optional<Rival> &rival) : m_rival(rival) {}
+
+  // Whether the fit stays far behind, by the residuals kept after a step.
+  bool isLost(const Likelihood &fit, const Photometry &photometry)
+  {
+    if (!m_rival) {
+      return false;
+    }
+    const double before = m_behind;
+    m_behind = fit.costOfResiduals(photometry, m_rival->noise) - m_rival->squares;
+    return m_behind > 2. * m_rival->odds * m_rival->noise * m_rival->noise && m_behind > catchingUp * before;
+  }
+
+private:
+  const std::optional<Rival> &m_rival;
+  double m_behind = HUGE_VAL; // grey levels^2
+};
+
+// What is known at the end of a fit besides pose and light; false if the equations are singular. lastStep: beyond where
+// they were made.
+bool conclude(const Likelihood &fit, const Equations &equations, const ParameterVector &lastStep, double noise,
+              const FitSettings &settings, FittedPose &result)
+{
+  result.squares = equations.cost;
+  result.noise = noiseOfSquares(equations);
+  const Explanation explanation = fit.explain(noise);
+  result.inliers = explanation.inliers;
+  result.correlation = explanation.correlation;
+  ParameterMatrix inverse = ParameterMatrix::Zero();
+  inverse.topLeftCorner(equations.used, equations.used) =
+      UsedMatrix(equations.matrix.topLeftCorner(equations.used, equations.used))
+          .ldlt()
+          .solve(UsedMatrix::Identity(equations.used, equations.used));
+  if (!inverse.allFinite()) {
+    return false;
+  }
+  const double coherence = settings.exactBends ? fit.coherence(inverse, lastStep, noise, equations.used) : 1.;
+  Eigen::Matrix<double, 6, 6> covariance =
+      coherence * biweightCovariance * result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
+  if (!settings.spinIsKnown) {
+    covariance.row(spinAt).setZero();
+    covariance.col(spinAt).setZero();
+  }
+  result.covariance = inCameraFrame(covariance, result.plane);
+  return true;
+}
 } // namespace
 
 std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const FitStart &start,
@@ -253,16 +356,12 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
   }
   Equations equations = fit.linearise(result.plane, result.photometry, noise);
   fit.keepResiduals();
-  MarkerPlane linearisedAt = result.plane;
-  Photometry linearisedIn = result.photometry;
+  MatrixPlace matrixPlace;
+  matrixPlace.set(result.plane, result.photometry);
+  NoiseDescent descent(start.noise.has_value());
+  Race race(settings.rival);
   double damping = 0.;
-  // The noise comes down from what the edges' residuals are at the start to that of a right fit, so that they are not
-  // taken for outliers while they are needed.
-  double excess = start.noise ? 0. : 1.;
-  int noiseUpdates = start.noise ? 0 : mostNoiseUpdates;
   ParameterVector lastStep = ParameterVector::Zero(); // beyond the equations
-  double lastSize = HUGE_VAL;                         // of a step, standard deviations
-  double behind = HUGE_VAL;                           // a rival, grey levels^2
   for (int iteration = 0; iteration < settings.mostIterations; ++iteration) {
     ParameterMatrix damped = equations.matrix;
     damped.diagonal() *= 1. + damping;
@@ -277,7 +376,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
     applyStep(step, plane, photometry);
     const double bend = outlineMotion(result.plane, plane) / (memory.blocks.reference.unit * photometry.blur.sigma);
     const bool isStale = preparation.isStale(plane, photometry);
-    if (!isStale && excess == 0. && damping < freeDamping && size * (stepError + bend) < settings.convergence) {
+    if (!isStale && descent.isDown() && damping < freeDamping && size * (stepError + bend) < settings.convergence) {
       result.plane = plane;
       result.photometry = photometry;
       result.photometry.unevenShare = fit.unevenShareOfResiduals(noise);
@@ -289,17 +388,13 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
       preparation.prepare(plane, result.photometry, noise);
       equations = fit.linearise(plane, result.photometry, noise);
       fit.keepResiduals();
-      linearisedAt = plane;
-      linearisedIn = result.photometry;
+      matrixPlace.set(plane, result.photometry);
       continue;
     }
     if (isVisible(plane) && photometry.light > 0.) {
       const bool isNear =
-          noiseUpdates == 0 && size < shorter * lastSize && isAlike(linearisedIn, photometry) &&
-          outlineMotion(linearisedAt, plane) < nearMotion * memory.blocks.reference.unit * photometry.blur.sigma;
+          matrixPlace.servesAt(plane, photometry, size, memory.blocks.reference.unit) && descent.isOver();
       Equations trial = isNear ? fit.pull(plane, photometry, noise) : fit.linearise(plane, photometry, noise);
-      bool isLinearised = !isNear;
-      lastSize = size;
       if (trial.cost <= equations.cost * (1. + rounding)) {
         result.plane = plane;
         result.photometry = photometry;
@@ -307,27 +402,17 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
         if (isStale) {
           preparation.prepare(plane, photometry, noise);
           trial = fit.linearise(plane, photometry, noise);
-          isLinearised = true;
         }
         equations = trial;
         fit.keepResiduals();
-        if (isLinearised) {
-          linearisedAt = plane;
-          linearisedIn = photometry;
+        if (isStale || !isNear) {
+          matrixPlace.set(plane, photometry);
         }
-        if (settings.rival) {
-          const double before = behind;
-          behind = fit.costOfResiduals(photometry, settings.rival->noise) - settings.rival->squares;
-          const double most = 2. * settings.rival->odds * settings.rival->noise * settings.rival->noise;
-          if (behind > most && behind > catchingUp * before) {
-            break;
-          }
+        if (race.isLost(fit, photometry)) {
+          break;
         }
-        if (noiseUpdates > 0) {
-          --noiseUpdates;
-          const ResidualSpread spread = fit.spreadOfResiduals();
-          excess = excess > leastExcess ? excess * excessDecay : 0.;
-          noise = std::max(spread.median, excess * spread.wide);
+        if (!descent.isOver()) {
+          noise = descent.next(fit);
           equations.cost = fit.costOfResiduals(photometry, noise);
         }
         continue;
@@ -339,28 +424,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
       break;
     }
   }
-  result.squares = equations.cost;
-  result.noise = noiseOfSquares(equations);
-  const Explanation explanation = fit.explain(noise);
-  result.inliers = explanation.inliers;
-  result.correlation = explanation.correlation;
-  ParameterMatrix inverse = ParameterMatrix::Zero();
-  inverse.topLeftCorner(equations.used, equations.used) =
-      UsedMatrix(equations.matrix.topLeftCorner(equations.used, equations.used))
-          .ldlt()
-          .solve(UsedMatrix::Identity(equations.used, equations.used));
-  if (!inverse.allFinite()) {
-    return std::nullopt;
-  }
-  const double coherence = settings.exactBends ? fit.coherence(inverse, lastStep, noise, equations.used) : 1.;
-  Eigen::Matrix<double, 6, 6> covariance =
-      coherence * biweightCovariance * result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
-  if (!settings.spinIsKnown) {
-    covariance.row(spinAt).setZero();
-    covariance.col(spinAt).setZero();
-  }
-  result.covariance = inCameraFrame(covariance, result.plane);
-  return result;
+  return conclude(fit, equations, lastStep, noise, settings, result) ? std::optional<FittedPose>(result) : std::nullopt;
 }
 
 double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
