@@ -17,6 +17,7 @@
 
 #include "detect_covered.h"
 
+#include <cmath>
 #include <utility>
 
 BEGIN_VISP_NAMESPACE
@@ -29,6 +30,14 @@ constexpr double hopelessOdds = 10.;
 // Share of the pixels that show one sector alone that are what a codeword with corrections makes them, at least: where
 // nothing covers the marker all are, where a sector is dirty or covered nine tenths.
 constexpr double leastExplained = 0.6;
+
+// Share from which nothing covers it: three corrected sectors of 23 leave that.
+constexpr double wholeExplained = 0.87;
+
+// A fit to a whole marker leaves this much of the image's noise and of the contrast at most, standard deviation, or
+// something else is in it.
+constexpr double mostNoiseOfWhole = 1.5;
+constexpr double mostLackingOfWhole = 0.03;
 
 // Most that the model may leave of a marker with corrected sectors, standard deviation, share of the contrast: noise of
 // 20 grey levels on a contrast of 170. A codeword that was read at a wrong pose leaves more.
@@ -46,6 +55,12 @@ MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const Camer
   ring.contrast = fit.photometry.contrast;
   ring.blur = fit.photometry.blur.widest();
   ring.noise = fit.noise;
+  if (const auto &shadow = fit.photometry.shadow) {
+    const Eigen::Vector2d toDark(std::cos(shadow->direction), std::sin(shadow->direction));
+    ring.shade = shadow->factor;
+    ring.toShade = toDark / (shadow->softness * frame.size);
+    ring.shadeEdge = shadow->edge / shadow->softness;
+  }
   return ring;
 }
 } // namespace
@@ -71,21 +86,37 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
   return marker ? std::optional<Recognition>(std::move(*marker)) : std::nullopt;
 }
 
-bool explainsCorrections(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                         const Measurement &measurement, MeasureMemory &memory)
+WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
+                        const Recognition &marker, const Measurement &measurement, MeasureMemory &memory)
 {
-  const bool isAsked = marker.code.hamming > 0 && !marker.seen && !marker.blurred;
-  if (!isAsked || measurement.first.photometry.shadow) {
-    return true;
+  if (!marker.family.isCoded() || marker.seen || marker.blurred) {
+    return WholeVerdict::RIGHT;
+  }
+  const Photometry &photometry = measurement.first.photometry;
+  const double contrast = photometry.contrast * photometry.light;
+  // A cover of which the quiet zone shows the edge may have been taken for a shadow.
+  const bool isDoubted = marker.code.hamming > 0 || photometry.shadow;
+  const bool isNoisy = measurement.first.noise > mostNoiseOfWhole * noise + mostLackingOfWhole * contrast;
+  if (!isDoubted && !isNoisy) {
+    return WholeVerdict::RIGHT;
   }
   const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
-  if (ring.noise > mostNoiseOfCorrected * ring.contrast * ring.light) {
-    return false;
-  }
+  const bool isTooNoisy = marker.code.hamming > 0 && !photometry.shadow && ring.noise > mostNoiseOfCorrected * contrast;
   TrackPixels pixels(I, camera, ring, marker.family, memory.track);
   pixels.turnTo(0.);
   const CodewordVerdict verdict = pixels.judge(marker.family.getCodeword(marker.code.id));
-  return verdict.explained >= leastExplained * verdict.all;
+  if (isTooNoisy || (isDoubted && verdict.explained < leastExplained * verdict.all)) {
+    return WholeVerdict::WRONG;
+  }
+  const bool isWhole = verdict.explained >= wholeExplained * verdict.all && (!isDoubted || !pixels.hasCoverLikePrint());
+  return isWhole ? WholeVerdict::RIGHT : WholeVerdict::COVERED;
+}
+
+bool isLikeliestThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                              const Measurement &measurement, MeasureMemory &memory)
+{
+  const TrackPixels pixels(I, camera, ringOf(measurement.first, marker.poses[0], camera), marker.family, memory.track);
+  return isLikeliest(pixels, marker.family.getCodeword(marker.code.id), marker.family);
 }
 
 void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector<Attempt> &attempts)

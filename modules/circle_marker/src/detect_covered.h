@@ -53,18 +53,28 @@ enum class ReadingKind
   COVERED    //!< With something in front of a part of it.
 };
 
+/*! What the image says of a marker that was read as a whole one, at its measured pose. */
+enum class WholeVerdict
+{
+  RIGHT,   //!< It shows what the codeword says.
+  COVERED, //!< Something covers a part of it, which is in the fit: it should be left out.
+  WRONG    //!< It shows something else.
+};
+
 /*!
-  Whether the image shows what a codeword that was read with corrections says: at the measured pose, most pixels of the
-  code track have the grey level that it gives them. What each of them may be off grows with their noise, up to
-  where they tell nothing; of markers too small for a pixel to show one sector alone no more is asked.
-  \param I : The image.
-  \param camera : Its camera.
-  \param marker : The marker, as it was read.
-  \param measurement : Its measured pose.
-  \param memory : Working memory.
+  Whether the image shows what a codeword says that was read with corrections, or in a shadow, or of which the fit
+  leaves more than noise: at the measured pose, most pixels of the code track have the grey level that it gives them.
+  What each of them may be off grows with their noise, up to where they tell nothing; of markers too small for a pixel
+  to show one sector alone no more is asked. \param I : The image. \param camera : Its camera. \param noise : Standard
+  deviation of the image's noise, grey levels. \param marker : The marker, as it was read. \param measurement : Its
+  measured pose. \param memory : Working memory.
 */
-bool explainsCorrections(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                         const Measurement &measurement, MeasureMemory &memory);
+WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
+                        const Recognition &marker, const Measurement &measurement, MeasureMemory &memory);
+
+/*! Whether the codeword of such a marker is the likeliest by far for what is seen of it. */
+bool isLikeliestThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                              const Measurement &measurement, MeasureMemory &memory);
 
 /*! One of the ways to read an outline. */
 struct Attempt

@@ -120,6 +120,10 @@ private:
                  const circle_marker::PosePair &poses, const vpCircleMarkerFamily &family,
                  Examination &examination) const;
   double sizeOf(const circle_marker::Recognition &marker, double usual) const;
+  std::optional<circle_marker::Measurement> withoutCover(const Visit &visit,
+                                                         const circle_marker::EllipseCandidate &outline,
+                                                         const circle_marker::Measurement &measurement,
+                                                         circle_marker::Recognition &marker, Bench &bench) const;
   bool measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
                      circle_marker::Recognition marker, Bench &bench, Found &measured) const;
   void measureChosen(const Visit &visit, const Outlines &outlines);

@@ -140,6 +140,38 @@ double vpDetectorCircleMarker::Impl::sizeOf(const Recognition &marker, double us
   return entry != nullptr ? entry->size : known != settings.sizes.end() ? known->second : usual;
 }
 
+/*!
+  The measurement of a marker that was read as a whole one, or, if something covers a part of it after all, that without
+  it; nothing if it is not this marker.
+*/
+std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visit &visit,
+                                                                      const EllipseCandidate &outline,
+                                                                      const Measurement &measurement,
+                                                                      Recognition &marker, Bench &bench) const
+{
+  MeasureMemory &memory = bench.measuring;
+  const double noise = m_outlines.full.gradient.noise;
+  const WholeVerdict verdict = judgeWhole(visit.I, visit.camera, noise, marker, measurement, memory);
+  if (verdict != WholeVerdict::COVERED) {
+    return verdict == WholeVerdict::RIGHT ? std::optional<Measurement>(measurement) : std::nullopt;
+  }
+  const auto poses = posesFromOutline(outline.points, visit.camera, measurement.first.plane.radius, bench.meters);
+  auto covered =
+      poses ? recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, marker.family, settings.decode, memory)
+            : std::nullopt;
+  if (covered && (marker.code.hamming > 0 || covered->code.id == marker.code.id)) {
+    scaleTo(sizeOf(*covered, visit.size), covered->poses);
+    if (auto again = measure(visit.I, visit.camera, *covered, true, memory)) {
+      marker = std::move(*covered);
+      return again;
+    }
+  }
+  const bool isKept = !covered && (marker.code.hamming == 0 && !measurement.first.photometry.shadow);
+  return isKept || (!covered && isLikeliestThoughCovered(visit.I, visit.camera, marker, measurement, memory))
+             ? std::optional<Measurement>(measurement)
+             : std::nullopt;
+}
+
 /*! A marker through the room refine; false if it turns out to be none. The place of the result is used again. */
 bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline,
                                                  Recognition marker, Bench &bench, Found &measured) const
@@ -151,8 +183,10 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
           ? measureProven(visit.I, visit.camera, m_outlines.full.gradient.noise, marker, bench.measuring,
                           visit.deadline)
           : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring));
-  if (!measurement || (settings.refinePose && !isProofWanted &&
-                       !explainsCorrections(visit.I, visit.camera, marker, *measurement, bench.measuring))) {
+  if (measurement && settings.refinePose && !isProofWanted) {
+    measurement = withoutCover(visit, outline, *measurement, marker, bench);
+  }
+  if (!measurement) {
     return false;
   }
   if (isProofWanted) { // it may be another marker than was read

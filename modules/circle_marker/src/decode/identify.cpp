@@ -22,6 +22,7 @@
 #include <cmath>
 
 #include "decode/cyclic_code.h"
+#include "decode/word_evidence.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -43,12 +44,8 @@ constexpr double mostResidual = 0.25;
 // of 20 pixels and more are read without correction at 0.77 and better.)
 constexpr double marginOfCapacity = 0.3;
 
-// Bits that the sectors of a covered marker tell beyond its message, at least: each halves the chance that others fit.
-// Where something that looks like ink or paper covers it, a sector is taken for another kind more easily.
-constexpr double leastRedundancy = 1.;
-constexpr double leastRedundancyInDoubt = 2.;
-// Codewords that are compared with the pixels: beyond this rank in a first reading none has been the right one.
-constexpr std::size_t mostCandidates = 24;
+// Odds of the codeword of a covered marker, ln, against all others and what speaks against it: one in a thousand.
+constexpr double leastOddsOfCovered = 7.;
 
 /*! Sums of the soft values with the signs of a word's bits, byte by byte: four look-ups for a word. */
 class Scores
@@ -86,62 +83,6 @@ double agreement(const SectorReading &reading, CyclicCode::Word codeword)
     sum += black ? reading.soft[k] : -reading.soft[k];
   }
   return sum / reading.sectors;
-}
-/*! A codeword and how well it agrees with a reading. */
-struct Candidate
-{
-  CyclicCode::Word word = 0;
-  float score = -HUGE_VALF;
-};
-using Candidates = std::array<Candidate, mostCandidates>;
-
-// The codewords that agree best with what is seen of a reading, the best first.
-Candidates likeliestWords(const SectorReading &reading, const CyclicCode &code)
-{
-  std::array<double, mostSectors> soft{};
-  for (unsigned int k = 0; k < reading.sectors; ++k) {
-    soft[k] = reading.seen[k] * reading.soft[k];
-  }
-  const Scores scores(soft, reading.sectors);
-  Candidates candidates;
-  code.forEachCodeword([&](CyclicCode::Word codeword) {
-    const float score = scores.of(codeword);
-    std::size_t place = candidates.size();
-    for (; place > 0 && candidates[place - 1].score < score; --place) {
-      if (place < candidates.size()) {
-        candidates[place] = candidates[place - 1];
-      }
-    }
-    if (place < candidates.size()) {
-      candidates[place] = {codeword, score};
-    }
-  });
-  return candidates;
-}
-
-/*! The codeword that the pixels confirm most. */
-struct BestWord
-{
-  CyclicCode::Word word = 0;
-  CodewordVerdict verdict;
-  double sum = -HUGE_VAL;     // sectors that confirm it less those that contradict it
-  double nextSum = -HUGE_VAL; // the same of the next one
-};
-
-BestWord bestOf(const Candidates &candidates, const TrackPixels &pixels)
-{
-  BestWord best;
-  for (const Candidate &candidate : candidates) {
-    const CodewordVerdict verdict = pixels.judge(candidate.word);
-    const double sum = static_cast<double>(verdict.confirmed) - verdict.contradicted;
-    best.nextSum = std::max(best.nextSum, std::min(sum, best.sum));
-    if (sum > best.sum) {
-      best.sum = sum;
-      best.word = candidate.word;
-      best.verdict = verdict;
-    }
-  }
-  return best;
 }
 
 // What is left unsaid by sectors of which so many may be wrong, bits: the logarithm of the number of such errors.
@@ -220,32 +161,44 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &p
                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings)
 {
   const CyclicCode &code = codeOf(family);
-  const Candidates candidates = likeliestWords(reading, code);
-  BestWord best = bestOf(candidates, pixels);
+  WordEvidence evidence(pixels);
+  evidence.turnTo(reading.phase);
+  LikeliestWord best = evidence.likeliest(code);
   const double phase = pixels.improvePhase(best.word);
-  best = bestOf(candidates, pixels);
+  evidence.turnTo(phase);
+  best = evidence.likeliest(code);
+  evidence.findCoverBeside(best.word);
+  best = evidence.likeliest(code);
   const auto identity = code.identify(best.word);
   if (!identity) {
     return vpCircleMarkerReject::NO_CODEWORD;
   }
-  const unsigned int told = best.verdict.confirmed + best.verdict.contradicted;
   CodeReading result;
   result.id = identity->id;
-  result.hamming = best.verdict.contradicted;
-  result.margin = best.sum / (told + 2.); // Laplace's rule of succession: a few sectors are not certainty
+  result.hamming = static_cast<unsigned int>(std::lround(best.against));
+  // By Laplace's rule of succession: a few sectors are not certainty.
+  result.margin = (best.told - best.against) / (best.told + best.against + 2.);
   result.spin = phase + 2. * M_PI * identity->rotation / reading.sectors;
-  const double redundancy = pixels.hasCoverLikePrint() ? leastRedundancyInDoubt : leastRedundancy;
-  if (told - bitsOfErrors(told, result.hamming) < code.getDimension() + redundancy) {
+  // As many bits as the message has leave one codeword; each sector more halves the chance that what is none fits.
+  const auto told = static_cast<unsigned int>(std::lround(best.told + best.against));
+  if (best.told - bitsOfErrors(told, result.hamming) < code.getDimension()) {
     return {vpCircleMarkerReject::NO_SECTORS, result};
   }
-  // Each sector in which two words differ tells them apart by two; each that contradicts the best one may be two.
-  const double ahead = best.sum - best.nextSum;
   const double corrected = static_cast<double>(result.hamming) / code.getCapacity();
-  if (result.hamming > settings.maximumHamming || ahead < 2. * (1. + result.hamming) ||
+  if (result.hamming > settings.maximumHamming || best.odds < leastOddsOfCovered ||
       result.margin < settings.minimumMargin + marginOfCapacity * corrected) {
     return {vpCircleMarkerReject::LOW_MARGIN, result};
   }
   return result;
+}
+
+bool isLikeliest(const TrackPixels &pixels, CyclicCode::Word word, const vpCircleMarkerFamily &family)
+{
+  WordEvidence evidence(pixels);
+  evidence.turnTo(0.);
+  evidence.findCoverBeside(word);
+  const LikeliestWord best = evidence.likeliest(codeOf(family));
+  return best.word == word && best.odds >= leastOddsOfCovered;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -50,12 +50,15 @@ Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerF
 */
 std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCircleMarkerFamily &family);
 /*!
-  The marker of which a part is not seen. Of all codewords those that agree best with the reading are compared with the
-  pixels of the track: the one that they confirm most is taken, if few contradict it, if no other comes near it, and if
-  more is told than the message takes, by at least one bit after what the errors leave unsaid.
+  The marker of which a part is not seen: of all codewords the one for which its pixels speak most (WordEvidence), if
+  they do so by odds of a thousand against all others, and if they tell at least as many sectors as the message has
+  bits, after what errors leave unsaid.
 */
 Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &pixels,
                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings);
+
+/*! Whether a codeword whose first sector begins at angle 0 is the likeliest for the pixels of a track by such odds. */
+bool isLikeliest(const TrackPixels &pixels, CyclicCode::Word word, const vpCircleMarkerFamily &family);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -60,10 +60,19 @@ constexpr double leastStep = 1. / 200.;
 constexpr double enoughPixels = 3000.;
 } // namespace
 
+double MeasuredRing::whiteAt(const Eigen::Vector2d &place) const
+{
+  const Eigen::Vector2d offset = place - origin;
+  const double lit = light + slope.dot(offset);
+  return shade < 1.
+             ? lit * (1. - (1. - shade) * NormalDistribution::instance().at(toShade.dot(offset) - shadeEdge).cumulative)
+             : lit;
+}
+
 TrackPixels::TrackPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring,
                          const vpCircleMarkerFamily &family, TrackMemory &memory)
     : m_layout(family.getLayout()), m_sectors(family.getNbSectors()),
-      m_noise(ring.noise / (ring.contrast * ring.light)), m_slack(modelError + mostOfNoise * m_noise),
+      m_noise(ring.noise / (ring.contrast * ring.light)), m_slack(modelError + mostOfNoise * m_noise), m_memory(memory),
       m_pixels(memory.pixels), m_placed(memory.placed)
 {
   collect(I, camera, ring);
@@ -90,13 +99,17 @@ void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &ca
   const NormalDistribution &normal = NormalDistribution::instance();
   const int right = clamped(most.x() + 1., I.getWidth());
   const int bottom = clamped(most.y() + 1., I.getHeight());
-  for (int v = clamped(least.y(), I.getHeight()); v <= bottom; v += step) {
-    for (int u = clamped(least.x(), I.getWidth()); u <= right; u += step) {
+  const int left = clamped(least.x(), I.getWidth());
+  const int top = clamped(least.y(), I.getHeight());
+  m_memory.columns = static_cast<std::size_t>((right - left) / step + 3);
+  m_memory.grid.assign(m_memory.columns * static_cast<std::size_t>((bottom - top) / step + 3), -1);
+  for (int v = top; v <= bottom; v += step) {
+    for (int u = left; u <= right; u += step) {
       const Eigen::Vector2d place(u, v);
       const Eigen::Vector2d meter = camera.toMeter(place);
       const Eigen::Vector2d q = ring.plane.intersect(meter);
       const double radius = q.norm();
-      const double white = ring.light + ring.slope.dot(place - ring.origin);
+      const double white = ring.whiteAt(place);
       if (radius < middleOfCenter || radius > 1. || !(white > 1.)) {
         continue;
       }
@@ -116,6 +129,9 @@ void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &ca
       pixel.spread = along / radius / (2. * M_PI);
       const double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
       pixel.level = 1. - (1. - grey / white) / ring.contrast;
+      pixel.cell = static_cast<std::size_t>((v - top) / step + 1) * m_memory.columns +
+                   static_cast<std::size_t>((u - left) / step + 1);
+      m_memory.grid[pixel.cell] = static_cast<int>(m_pixels.size());
       m_pixels.push_back(pixel);
     }
   }

@@ -18,6 +18,9 @@
 #ifndef VP_CIRCLE_MARKER_TRACK_PIXELS_H
 #define VP_CIRCLE_MARKER_TRACK_PIXELS_H
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "decode/code_track.h"
@@ -34,12 +37,18 @@ namespace circle_marker {
 struct MeasuredRing
 {
   MarkerPlane plane;
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero(); //!< Pixel at which the light is told.
-  double light = 0.;                                //!< Grey level of white paper there.
-  Eigen::Vector2d slope = Eigen::Vector2d::Zero();  //!< Its change by the pixel.
-  double contrast = 0.;                             //!< 1 - black / white.
-  double blur = 0.;                                 //!< Standard deviation, pixels.
-  double noise = 0.;                                //!< Standard deviation, grey levels.
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  //!< Pixel at which the light is told.
+  double light = 0.;                                 //!< Grey level of white paper there.
+  Eigen::Vector2d slope = Eigen::Vector2d::Zero();   //!< Its change by the pixel.
+  double contrast = 0.;                              //!< 1 - black / white.
+  double blur = 0.;                                  //!< Standard deviation, pixels.
+  double noise = 0.;                                 //!< Standard deviation, grey levels.
+  double shade = 1.;                                 //!< Light that is left in a shadow on it.
+  Eigen::Vector2d toShade = Eigen::Vector2d::Zero(); //!< Into the shadow, 1 / (softness of its edge) by the pixel.
+  double shadeEdge = 0.;                             //!< Where its edge lies along that.
+
+  /*! Grey level of white paper at a pixel. */
+  double whiteAt(const Eigen::Vector2d &place) const;
 };
 
 /*! What the pixels say of a codeword; of the sectors that are left nothing is said. */
@@ -57,11 +66,12 @@ struct TrackMemory
   /*! A pixel, as the marker has it. */
   struct Pixel
   {
-    double turn = 0.;   //!< Direction from the centre, turns.
-    double level = 0.;  //!< 0 ink, 1 paper.
-    double ring = 0.;   //!< Share of the ring in it.
-    double track = 0.;  //!< Share of the code track in it.
-    double spread = 0.; //!< Standard deviation of the blur around the marker, turns.
+    double turn = 0.;     //!< Direction from the centre, turns.
+    double level = 0.;    //!< 0 ink, 1 paper.
+    double ring = 0.;     //!< Share of the ring in it.
+    double track = 0.;    //!< Share of the code track in it.
+    double spread = 0.;   //!< Standard deviation of the blur around the marker, turns.
+    std::size_t cell = 0; //!< Its place in the grid.
   };
   /*! A pixel on the grid of sectors. */
   struct Placed
@@ -74,8 +84,21 @@ struct TrackMemory
     std::array<bool, 2> isTrusted; //!< Whether nothing like paper, like ink, is beside.
   };
 
-  std::vector<Pixel> pixels;  //!< Of the track and what is beside it.
-  std::vector<Placed> placed; //!< Those that show one sector alone.
+  /*! A pixel on the grid of sectors, and the colours of three sectors that explain it. */
+  struct Explained
+  {
+    unsigned int sector = 0;
+    float residual = 0.f;        //!< Its level, less what it would be on a white track.
+    std::array<float, 3> shares; //!< Of the sector after its own, its own and the one before in it.
+    std::uint8_t byColours = 0;  //!< One bit for each of the 8 ways to colour these three.
+    bool isOnTrack = false;      //!< Whether it tells of its sector.
+  };
+
+  std::vector<Pixel> pixels;        //!< Of the track and what is beside it.
+  std::vector<Placed> placed;       //!< Those that show one sector alone.
+  std::vector<Explained> explained; //!< All of the first.
+  std::vector<int> grid;            //!< Numbers of the pixels by rows, -1 for those beside; a margin of one all around.
+  std::size_t columns = 0;          //!< Of the grid.
 };
 
 /*!
@@ -97,6 +120,18 @@ public:
 
   /*! Whether what covers the marker is, where the print is known, as dark as ink or as bright as paper. */
   bool hasCoverLikePrint() const { return m_hasLikePrint; }
+
+  /*! The pixels of the track and beside it. */
+  TrackMemory &getMemory() const { return m_memory; }
+
+  /*! Standard deviation of a pixel's noise, share of the contrast. */
+  double getNoise() const { return m_noise; }
+
+  /*! What a pixel's level may be off. */
+  double getSlack() const { return m_slack; }
+
+  /*! Number of sectors. */
+  unsigned int getSectors() const { return m_sectors; }
 
   /*! Adds to a reading what the pixels tell of the sectors, and improves its phase. */
   void improve(SectorReading &reading);
@@ -145,6 +180,7 @@ private:
   const double m_noise; //!< Standard deviation, share of the contrast.
   const double m_slack; //!< What a pixel's level may be off.
   bool m_hasLikePrint = false;
+  TrackMemory &m_memory;
   std::vector<Pixel> &m_pixels;
   std::vector<Placed> &m_placed;              //!< Those that show one sector alone.
   double m_phase = 0.;                        //!< Of the grid of sectors, rad.

@@ -1,0 +1,277 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What all pixels of a covered code track say of all codewords.
+ */
+
+#include "decode/word_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/normal_distribution.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Least share of its sector that a pixel must show to tell it.
+constexpr float leastOwn = 0.3f;
+// Standard deviation of what the model leaves of a level, common to the pixels of a sector, share of the contrast.
+constexpr double usualError = 0.008;
+// The same of a pixel at an edge, which phase and pose move.
+constexpr double edgeError = 0.02;
+// So many standard deviations hold three quarters of the pixels. Of a cover whose grey level is off by two they hold a
+// fifth; of a sector with the cover's blurred edge in it most.
+constexpr double innerDeviations = 1.2;
+constexpr double noneInner = 0.3;
+constexpr double allInner = 0.6;
+// Grey levels that covers have, share of the contrast.
+constexpr double coverRange = 1.2;
+// Pixels by which a sector is told to 1 - 1 / e.
+constexpr double tellingPixels = 3.;
+// Levels that near to ink and paper may be the cover's, not those in between.
+constexpr float nearPrint = 0.12f;
+// Parts of a sector for which covers are told apart; parts to either side that are taken to be covered by the same, and
+// parts beyond over which that becomes unlikely.
+constexpr unsigned int partsPerSector = 8;
+constexpr unsigned int coverReach = 3;
+constexpr unsigned int coverFades = 16;
+// Pixels of a cover that make it one.
+constexpr int fewestOfCover = 2;
+// What a sector says for itself that may be covered by something like it: the odds that it is not covered.
+constexpr double doubtful = 0.5;
+// What the edges of a sector say, rims and borders, which no cover of one grey level has.
+constexpr double edgeOdds = 4.;
+} // namespace
+
+WordEvidence::WordEvidence(const TrackPixels &pixels)
+    : m_pixels(pixels), m_sectors(pixels.getSectors()), m_slack(static_cast<float>(pixels.getSlack())),
+      m_explained(pixels.getMemory().explained)
+{
+  findCover();
+  spreadTrust();
+}
+
+void WordEvidence::findCover()
+{
+  const unsigned int parts = partsPerSector * m_sectors;
+  for (auto &kind : m_cover) {
+    kind.fill(0);
+  }
+  for (const Pixel &pixel : m_pixels.getMemory().pixels) {
+    const double lowest = 1. - pixel.ring - pixel.track;
+    const double highest = 1. - pixel.ring;
+    if (pixel.level > lowest - m_slack && pixel.level < highest + m_slack) {
+      continue;
+    }
+    const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
+    m_cover[0][part] += std::abs(1. - pixel.level) < m_slack ? 1 : 0;
+    m_cover[1][part] += std::abs(pixel.level) < m_slack ? 1 : 0;
+  }
+}
+
+void WordEvidence::spreadTrust()
+{
+  const int parts = static_cast<int>(partsPerSector * m_sectors);
+  for (std::size_t kind = 0; kind < 2; ++kind) {
+    m_trust[kind].fill(1.f);
+    for (int i = 0; i < parts; ++i) {
+      const auto at = [&](int k) { return m_cover[kind][static_cast<std::size_t>((i + parts + k) % parts)]; };
+      if (at(0) == 0 || at(-1) + at(0) + at(1) < fewestOfCover) {
+        continue;
+      }
+      const int reach = static_cast<int>(coverReach + coverFades);
+      for (int k = -reach; k <= reach; ++k) {
+        const float trust =
+            std::max(0.f, static_cast<float>(std::abs(k)) - static_cast<float>(coverReach)) / coverFades;
+        float &here = m_trust[kind][static_cast<std::size_t>((i + 2 * parts + k) % parts)];
+        here = std::min(here, trust);
+      }
+    }
+  }
+}
+
+void WordEvidence::turnTo(double phase)
+{
+  const NormalDistribution &normal = NormalDistribution::instance();
+  const double first = phase / (2. * M_PI);
+  const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
+  m_explained.resize(pixels.size());
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const Pixel &pixel = pixels[i];
+    Explained &placed = m_explained[i];
+    double place = (pixel.turn - first) * m_sectors;
+    place -= m_sectors * std::floor(place / m_sectors);
+    placed.sector = std::min(static_cast<unsigned int>(place), m_sectors - 1);
+    const double inside = place - placed.sector;
+    const double width = pixel.spread * m_sectors;
+    const double before = pixel.track * normal.at(-inside / width).cumulative;
+    const double after = pixel.track * normal.at((inside - 1.) / width).cumulative;
+    const double own = pixel.track - before - after;
+    placed.shares = {static_cast<float>(after), static_cast<float>(own), static_cast<float>(before)};
+    placed.residual = static_cast<float>(pixel.level - (1. - pixel.ring));
+    placed.isOnTrack = placed.shares[1] > std::max(leastOwn, 2.f * m_slack);
+    placed.byColours = 0;
+    for (unsigned int colours = 0; colours < 8; ++colours) {
+      float residual = placed.residual;
+      for (unsigned int bit = 0; bit < 3; ++bit) {
+        residual += (colours >> bit) & 1U ? placed.shares[bit] : 0.f;
+      }
+      placed.byColours |= static_cast<std::uint8_t>(std::abs(residual) < m_slack ? 1U << colours : 0U);
+    }
+  }
+  weigh();
+}
+
+void WordEvidence::weigh()
+{
+  const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
+  const std::vector<int> &grid = m_pixels.getMemory().grid;
+  const auto columns = static_cast<std::ptrdiff_t>(m_pixels.getMemory().columns);
+  const unsigned int parts = partsPerSector * m_sectors;
+  const double noise = m_pixels.getNoise();
+  const auto innerFlat = static_cast<float>(innerDeviations * std::hypot(noise, usualError));
+  const auto innerAtEdge = static_cast<float>(innerDeviations * std::hypot(noise, edgeError));
+  Table trusted{};
+  Table counted{};
+  Table inner{};
+  Table edges{};
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const Explained &placed = m_explained[i];
+    if (!placed.isOnTrack || placed.byColours == 0) {
+      continue;
+    }
+    std::uint32_t shown = ~0U;
+    const auto restrict = [&](const Explained &other, int ahead) { // other by so many sectors ahead
+      std::uint32_t mask = 0;
+      for (unsigned int pattern = 0; pattern < patterns; ++pattern) {
+        mask |= static_cast<std::uint32_t>((other.byColours >> ((pattern >> (1 - ahead)) & 7U)) & 1U) << pattern;
+      }
+      shown &= mask;
+    };
+    restrict(placed, 0);
+    for (const std::ptrdiff_t step : {std::ptrdiff_t(-1), std::ptrdiff_t(1), -columns, columns}) {
+      const int beside = grid[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(pixels[i].cell) + step)];
+      if (beside < 0) {
+        continue;
+      }
+      const Explained &other = m_explained[static_cast<std::size_t>(beside)];
+      const int ahead = static_cast<int>((other.sector + m_sectors - placed.sector + 1) % m_sectors) - 1;
+      if (ahead <= 1) {
+        restrict(other, ahead);
+      }
+    }
+    const auto part = static_cast<std::size_t>(pixels[i].turn * parts) % parts;
+    for (unsigned int pattern = 0; pattern < patterns; ++pattern) {
+      if (((shown >> pattern) & 1U) == 0) {
+        continue;
+      }
+      float residual = placed.residual;
+      for (unsigned int bit = 0; bit < 3; ++bit) {
+        residual += (pattern >> (bit + 1)) & 1U ? placed.shares[bit] : 0.f;
+      }
+      const float level = static_cast<float>(pixels[i].level) - residual; // as it should be
+      const float trust = level < nearPrint ? m_trust[1][part] : level > 1.f - nearPrint ? m_trust[0][part] : 1.f;
+      counted[placed.sector][pattern] += 1.f;
+      trusted[placed.sector][pattern] += trust;
+      const bool isEdge = level > nearPrint && level < 1.f - nearPrint;
+      inner[placed.sector][pattern] += std::abs(residual) < (isEdge ? innerAtEdge : innerFlat) ? 1.f : 0.f;
+      edges[placed.sector][pattern] += isEdge ? 1.f : 0.f;
+    }
+  }
+  for (unsigned int k = 0; k < m_sectors; ++k) {
+    for (unsigned int pattern = 0; pattern < patterns; ++pattern) {
+      const double count = counted[k][pattern];
+      m_evidence[k][pattern] = 0.f;
+      m_told[k][pattern] = 0.f;
+      if (count < 1.) {
+        continue;
+      }
+      const double seen = 1. - std::exp(-count / tellingPixels);
+      const double trust = trusted[k][pattern] / count;
+      const double told = trust * seen;
+      const double ofMean = std::sqrt(noise * noise / count + usualError * usualError);
+      const double chance = std::log(coverRange / (std::sqrt(2. * M_PI) * ofMean));
+      const double quality = std::clamp((inner[k][pattern] / count - noneInner) / (allInner - noneInner), 0., 1.);
+      const double odds = std::max(0., chance) * quality;
+      const double shaped = 1. - std::exp(-static_cast<double>(edges[k][pattern]) / tellingPixels);
+      m_evidence[k][pattern] =
+          static_cast<float>(told * odds + (seen - told) * std::min(doubtful, odds) + quality * edgeOdds * shaped);
+      m_told[k][pattern] = static_cast<float>(quality * seen * std::max(trust, shaped));
+    }
+  }
+}
+
+namespace {
+// A word with its last two sectors before the first and its first two after the last.
+std::uint64_t extended(CyclicCode::Word word, unsigned int sectors)
+{
+  return (std::uint64_t(word) << 2) | (word >> (sectors - 2)) | (std::uint64_t(word & 3U) << (sectors + 2));
+}
+} // namespace
+
+void WordEvidence::findCoverBeside(CyclicCode::Word word)
+{
+  const unsigned int parts = partsPerSector * m_sectors;
+  const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
+  const std::uint64_t bits = extended(word, m_sectors);
+  findCover();
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const Explained &placed = m_explained[i];
+    const unsigned int colours = (bits >> (m_sectors - placed.sector)) & 7U;
+    if (!placed.isOnTrack || (placed.byColours >> colours) & 1U) {
+      continue;
+    }
+    const double level = pixels[i].level;
+    const auto part = static_cast<std::size_t>(pixels[i].turn * parts) % parts;
+    m_cover[0][part] += std::abs(1. - level) < m_slack ? 1 : 0;
+    m_cover[1][part] += std::abs(level) < m_slack ? 1 : 0;
+  }
+  spreadTrust();
+  weigh();
+}
+
+LikeliestWord WordEvidence::likeliest(const CyclicCode &code) const
+{
+  const unsigned int n = m_sectors;
+  LikeliestWord result;
+  float best = -1.f;
+  double others = 0.; // sum of their likelihoods, in units of that of the best
+  code.forEachCodeword([&](CyclicCode::Word word) {
+    const std::uint64_t bits = extended(word, n);
+    float sum = 0.f;
+    for (unsigned int k = 0; k < n; ++k) {
+      sum += m_evidence[k][(bits >> (n - 1 - k)) & 31U];
+    }
+    if (sum > best) {
+      others = (others + 1.) * std::exp(static_cast<double>(best) - static_cast<double>(sum));
+      best = sum;
+      result.word = word;
+    }
+    else {
+      others += std::exp(static_cast<double>(sum) - static_cast<double>(best));
+    }
+  });
+  result.odds = -std::log(std::max(others, 1e-30));
+  const std::uint64_t bits = extended(result.word, n);
+  for (unsigned int k = 0; k < n; ++k) {
+    const unsigned int pattern = (bits >> (n - 1 - k)) & 31U;
+    result.told += m_told[k][pattern];
+    result.against += m_told[k][pattern ^ 4U];
+    result.odds -= static_cast<double>(m_evidence[k][pattern ^ 4U]);
+  }
+  return result;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,86 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What all pixels of a covered code track say of all codewords.
+ */
+
+#ifndef VP_CIRCLE_MARKER_WORD_EVIDENCE_H
+#define VP_CIRCLE_MARKER_WORD_EVIDENCE_H
+
+#include <array>
+#include <vector>
+
+#include "decode/cyclic_code.h"
+#include "decode/track_pixels.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! The codeword for which the pixels of a covered track speak most. */
+struct LikeliestWord
+{
+  CyclicCode::Word word = 0;
+  double odds = 0.;    //!< Against all other codewords together, and what speaks against it, ln.
+  double told = 0.;    //!< Sectors that the pixels tell to be what the word makes them; doubtful ones in part.
+  double against = 0.; //!< Sectors that the pixels tell to be the other kind.
+};
+
+/*!
+  What the pixels of a covered code track say of words.
+
+  A pixel shows a word if its grey level is what the word makes it, and those of the pixels beside it are, too: what
+  covers the marker has such levels along its edge here and there, but not beside each other. The pixels of a sector
+  that show a word are a part of the print, or of a cover that happens to have this grey level: the odds between the two
+  are what the sector, or what is seen of it, says for the word. What a sector should look like depends on it and the
+  two sectors to either side, so that the evidence is in tables of 32 entries a sector, and all codewords are compared.
+*/
+class WordEvidence
+{
+public:
+  /*!
+    \param pixels : The pixels; they have to stay, and their memory is used.
+  */
+  explicit WordEvidence(const TrackPixels &pixels);
+
+  /*! Counts the pixels with the first sector beginning at an angle, rad. */
+  void turnTo(double phase);
+
+  /*! Takes what a word leaves unexplained and is as dark as ink or as bright as paper for covers, too. */
+  void findCoverBeside(CyclicCode::Word word);
+
+  /*! The codeword for which most speaks; it may be a constant one, which is no marker's. */
+  LikeliestWord likeliest(const CyclicCode &code) const;
+
+private:
+  using Pixel = TrackMemory::Pixel;
+  using Explained = TrackMemory::Explained;
+  static constexpr unsigned int patterns = 32; //!< Of a sector and two to either side.
+  using Table = std::array<std::array<float, patterns>, mostSectors>;
+
+  void findCover();
+  void spreadTrust();
+  void weigh();
+
+  const TrackPixels &m_pixels;
+  const unsigned int m_sectors;
+  const float m_slack;
+  std::vector<Explained> &m_explained;
+  std::array<std::array<int, mostSamples>, 2> m_cover;   //!< Pixels like paper (0), ink (1), by parts of sectors.
+  std::array<std::array<float, mostSamples>, 2> m_trust; //!< In paper, in ink, by parts of sectors.
+  Table m_evidence;                                      //!< Log-odds for what is seen of a sector.
+  Table m_told;                                          //!< Share of a sector that is told.
+};
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

@@ -1,0 +1,129 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What all pixels of a covered code track say of all codewords.
+ */
+
+#include "testRoomTools.h"
+
+#include "decode/word_evidence.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr double lens = 0.7; // blur, pixels
+
+int randomId(Random &random, const vpCircleMarkerFamily &family)
+{
+  return static_cast<int>(random() % family.getNbIds());
+}
+
+//! The ring of a scene as if it were measured exactly.
+MeasuredRing measuredRing(const MarkerScene &scene)
+{
+  MeasuredRing ring;
+  ring.plane = scene.plane();
+  ring.origin = Eigen::Vector2d(75., 75.);
+  ring.light = scene.white;
+  ring.contrast = 1. - scene.black / scene.white;
+  ring.blur = std::sqrt(lens * lens + 1. / 12.); // with that of the pixel
+  ring.noise = 1.;
+  return ring;
+}
+
+//! A grey level in the directions from 0 to a number of sectors, all of the way from the centre.
+vpImage<unsigned char> covered(const MarkerScene &scene, unsigned int sectors, double grey)
+{
+  const double end = 2. * M_PI * sectors / scene.family.getNbSectors();
+  const auto picture = [&](double u, double v) {
+    const Eigen::Vector2d q = scene.onMarker(u, v);
+    const double angle = std::atan2(q.y(), q.x());
+    const bool isCovered = (angle < 0. ? angle + 2. * M_PI : angle) < end;
+    return isCovered ? grey : scene(u, v);
+  };
+  return photograph(150, 150, lens, picture);
+}
+
+MarkerScene scene(Random &random, const vpCircleMarkerFamily &family)
+{
+  return markerScene(random, family, randomId(random, family), uniform(random, 70., 110.), uniform(random, 0., 0.8),
+                     150);
+}
+} // namespace
+
+TEST(WordEvidence, TellsTheCodewordThoughARunOfSectorsIsCovered)
+{
+  TrackMemory memory;
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31R}) {
+    const vpCircleMarkerFamily family(type);
+    const CyclicCode &code = codeOf(family);
+    for (int i = 0; i < 10; ++i) {
+      const MarkerScene marker = scene(random, family);
+      const double share = uniform(random, 0.2, 0.8); // between ink and paper
+      const double grey = marker.black + share * (marker.white - marker.black);
+      constexpr unsigned int hidden = 7;
+      const TrackPixels pixels(covered(marker, hidden, grey), CameraModel(marker.camera()), measuredRing(marker),
+                               family, memory);
+      WordEvidence evidence(pixels);
+      evidence.turnTo(0.);
+      evidence.findCoverBeside(marker.word);
+      const LikeliestWord best = evidence.likeliest(code);
+      EXPECT_EQ(best.word, marker.word) << "grey " << grey;
+      EXPECT_GT(best.odds, 7.) << "grey " << grey;
+      EXPECT_GT(best.told, family.getNbSectors() - hidden - 2.);
+      EXPECT_LT(best.told, family.getNbSectors() - hidden + 1.);
+      EXPECT_LT(best.against, 0.5);
+    }
+  }
+}
+
+TEST(WordEvidence, LeavesTwoCodewordsWhereTooMuchIsCovered)
+{
+  TrackMemory memory;
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  constexpr unsigned int hidden = 13; // of a code with 12 bits of message and 23 sectors
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene marker = scene(random, family);
+    const TrackPixels pixels(covered(marker, hidden, 0.5 * (marker.black + marker.white)), CameraModel(marker.camera()),
+                             measuredRing(marker), family, memory);
+    WordEvidence evidence(pixels);
+    evidence.turnTo(0.);
+    EXPECT_LT(evidence.likeliest(codeOf(family)).odds, 7.);
+  }
+}
+
+TEST(WordEvidence, DoubtsWhatLooksLikeTheCover)
+{
+  TrackMemory memory;
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  constexpr unsigned int hidden = 7;
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene marker = scene(random, family);
+    for (const double grey : {marker.black, marker.white}) {
+      const TrackPixels pixels(covered(marker, hidden, grey), CameraModel(marker.camera()), measuredRing(marker),
+                               family, memory);
+      WordEvidence evidence(pixels);
+      evidence.turnTo(0.);
+      evidence.findCoverBeside(marker.word);
+      const LikeliestWord best = evidence.likeliest(codeOf(family));
+      // Another one may be believed in no case, and what is covered is not told.
+      EXPECT_TRUE(best.word == marker.word || best.odds < 7.) << "grey " << grey;
+      EXPECT_LT(best.told, family.getNbSectors() - hidden + 1.) << "grey " << grey;
+    }
+  }
+}
