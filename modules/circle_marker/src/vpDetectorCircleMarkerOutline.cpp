@@ -156,9 +156,9 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
     return verdict == WholeVerdict::RIGHT ? std::optional<Measurement>(measurement) : std::nullopt;
   }
   const auto poses = posesFromOutline(outline.points, visit.camera, measurement.first.plane.radius, bench.meters);
-  auto covered =
-      poses ? recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, marker.family, settings.decode, memory)
-            : std::nullopt;
+  auto covered = poses ? recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, marker.family, settings.decode,
+                                                 memory, visit.deadline)
+                       : std::nullopt;
   if (covered && (marker.code.hamming > 0 || covered->code.id == marker.code.id)) {
     scaleTo(sizeOf(*covered, visit.size), covered->poses);
     if (auto again = measure(visit.I, visit.camera, *covered, true, memory)) {
