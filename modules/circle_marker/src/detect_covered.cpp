@@ -94,8 +94,10 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
   }
   const Photometry &photometry = measurement.first.photometry;
   const double contrast = photometry.contrast * photometry.light;
-  // A cover of which the quiet zone shows the edge may have been taken for a shadow.
-  const bool isDoubted = marker.code.hamming > 0 || photometry.shadow;
+  const bool isDoubted = marker.code.hamming > 0;
+  if (photometry.shadow && !isDoubted) { // the edge of a shadow is not modelled well enough
+    return WholeVerdict::RIGHT;
+  }
   const bool isNoisy = measurement.first.noise > mostNoiseOfWhole * noise + mostLackingOfWhole * contrast;
   if (!isDoubted && !isNoisy) {
     return WholeVerdict::RIGHT;
