@@ -28,21 +28,6 @@ namespace {
 constexpr unsigned int side = 200; // pixels
 constexpr double lens = 0.7;       // blur, pixels
 
-//! What moves by an odd number of pixels along u during the exposure.
-vpImage<double> moved(const vpImage<double> &sharp, int way)
-{
-  vpImage<double> I(sharp.getHeight(), sharp.getWidth(), 0.);
-  const int last = static_cast<int>(sharp.getWidth()) - 1;
-  for (unsigned int v = 0; v < sharp.getHeight(); ++v) {
-    for (int u = 0; u <= last; ++u) {
-      for (int k = -way / 2; k <= way / 2; ++k) {
-        I[v][static_cast<unsigned int>(u)] += sharp[v][static_cast<unsigned int>(std::clamp(u + k, 0, last))] / way;
-      }
-    }
-  }
-  return I;
-}
-
 //! What is out of focus: the image of a point is a disc of a radius in pixels.
 vpImage<double> defocused(const vpImage<double> &sharp, int radius)
 {

@@ -273,6 +273,21 @@ inline double wrapped(double angle)
 {
   return std::remainder(angle, 2. * M_PI);
 }
+
+//! What moves by an odd number of pixels along u during the exposure.
+inline vpImage<double> moved(const vpImage<double> &sharp, int way)
+{
+  vpImage<double> I(sharp.getHeight(), sharp.getWidth(), 0.);
+  const int last = static_cast<int>(sharp.getWidth()) - 1;
+  for (unsigned int v = 0; v < sharp.getHeight(); ++v) {
+    for (int u = 0; u <= last; ++u) {
+      for (int k = -way / 2; k <= way / 2; ++k) {
+        I[v][static_cast<unsigned int>(u)] += sharp[v][static_cast<unsigned int>(std::clamp(u + k, 0, last))] / way;
+      }
+    }
+  }
+  return I;
+}
 } // namespace room_test
 
 #endif
