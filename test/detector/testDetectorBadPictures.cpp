@@ -86,6 +86,20 @@ void castShadow(Random &random, double diameter, const vpImagePoint &place, vpSc
   photometry.shadow = shadow;
 }
 
+// And light that falls off by 80 % of its mean over the marker, seen by a camera that darkens what is dark.
+void castShadowOnAGradient(Random &random, double diameter, const vpImagePoint &place, vpScenePhotometry &photometry,
+                           vpSceneMotion &motion)
+{
+  castShadow(random, diameter, place, photometry, motion);
+  photometry.shadow->factor = 0.5;
+  const double direction = uniform(random, 0., 2. * M_PI);
+  photometry.gradientU = 0.8 * width / diameter * std::cos(direction);
+  photometry.gradientV = 0.8 * height / diameter * std::sin(direction);
+  photometry.lightCenter = place;
+  photometry.paper = 180.; // so that the brighter side is not cut off
+  photometry.gamma = 2.2;
+}
+
 // The marker's image goes a quarter of its diameter during the exposure.
 void moveCamera(Random &random, double, const vpImagePoint &, vpScenePhotometry &, vpSceneMotion &motion)
 {
@@ -109,6 +123,11 @@ TEST(DetectorBadPictures, ShadowOnTheCode)
 TEST(DetectorBadPictures, ShadowOnTheRing)
 {
   expectFound(ring, castShadow);
+}
+
+TEST(DetectorBadPictures, ShadowOnAGradient)
+{
+  expectFound(golay23, castShadowOnAGradient);
 }
 
 TEST(DetectorBadPictures, LittleContrast)

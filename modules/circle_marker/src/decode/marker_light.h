@@ -18,6 +18,7 @@
 #ifndef VP_CIRCLE_MARKER_MARKER_LIGHT_H
 #define VP_CIRCLE_MARKER_MARKER_LIGHT_H
 
+#include <cmath>
 #include <cstddef>
 
 #include <Eigen/Core>
@@ -27,8 +28,9 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  Grey level of white paper over a marker's plane: a plane, or, where the edge of a shadow crosses the marker, two
-  levels on the two sides of a straight line (straight lines of the image are straight in the plane).
+  Grey level of white paper over a marker's plane: a plane, or the square of one, as a camera's gamma may leave it,
+  which the shadow with a straight edge that may cross the marker multiplies by what it leaves of the light (straight
+  lines of the image are straight in the plane).
 */
 class MarkerLight
 {
@@ -44,15 +46,22 @@ public:
   double mean() const { return m_mean; }
 
   /*! Whether the edge of a shadow crosses the marker. */
-  bool hasShadow() const { return m_hasShadow; }
+  bool hasShadow() const { return m_factor < 1.; }
 
-  double getBright() const { return m_bright; } //!< White beside the shadow, grey levels; only if there is one.
-  double getDark() const { return m_dark; }     //!< White in it; only if there is one.
+  /*! Share of the light that is left in the shadow; 1 without one. */
+  double getFactor() const { return m_factor; }
+
+  /*! Grey level of white paper at a point of the plane, in outer radii, if no shadow fell on it. */
+  double litAt(const Eigen::Vector2d &q) const
+  {
+    const double plane = m_center + m_slope.dot(q);
+    return m_isSquare ? plane * std::abs(plane) : plane;
+  }
 
   /*! Grey level of white paper at a point of the plane, in outer radii. */
   double at(const Eigen::Vector2d &q) const
   {
-    return m_hasShadow ? (distanceToShadow(q) > 0. ? m_bright : m_dark) : m_mean + m_slope.dot(q);
+    return hasShadow() && distanceToShadow(q) <= 0. ? m_factor * litAt(q) : litAt(q);
   }
 
   /*! How far inside the light a point lies, in outer radii; only if there is a shadow. */
@@ -62,10 +71,10 @@ private:
   void seekShadow(const double *whites, std::size_t count, double radius, double first);
 
   double m_mean = 0.;                                  //!< Of all directions.
-  Eigen::Vector2d m_slope = Eigen::Vector2d::Zero();   //!< Of the plane, by outer radii.
-  bool m_hasShadow = false;                            //!< Whether two levels are far better than the plane.
-  double m_bright = 0.;                                //!< Beside the shadow.
-  double m_dark = 0.;                                  //!< In it.
+  double m_center = 0.;                                //!< The plane at the marker's centre, if no shadow fell on it.
+  Eigen::Vector2d m_slope = Eigen::Vector2d::Zero();   //!< Its change by outer radii.
+  bool m_isSquare = false;                             //!< Whether the light is the plane's square.
+  double m_factor = 1.;                                //!< Share of the light that a shadow leaves.
   Eigen::Vector2d m_toLight = Eigen::Vector2d::Zero(); //!< Unit vector across the shadow's edge.
   double m_edge = 0.;                                  //!< Where it lies along that, outer radii.
 };

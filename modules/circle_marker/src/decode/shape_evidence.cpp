@@ -170,12 +170,12 @@ bool isShadow(const MarkerLight &light, const Circle &dark)
   double inLight = 0.;
   double inShadow = 0.;
   for (std::size_t i = 0; i < directions; ++i) {
-    const bool isLit = light.distanceToShadow(onCircle(dark.radius, i)) > 0.;
+    const Eigen::Vector2d place = onCircle(dark.radius, i);
+    const bool isLit = light.distanceToShadow(place) > 0.;
     (isLit ? lit : shaded) += dark.greys[i];
-    (isLit ? inLight : inShadow) += 1.;
+    (isLit ? inLight : inShadow) += light.at(place);
   }
-  return inLight > 0. && inShadow > 0. &&
-         shaded * light.getBright() * inLight < sameShare * lit * light.getDark() * inShadow;
+  return inLight > 0. && inShadow > 0. && shaded * inLight < sameShare * lit * inShadow;
 }
 
 // Fall-off of the light in one direction: its slope over the outer radius, in units of the light at the centre, from
@@ -299,7 +299,7 @@ bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camer
       const double edge = edgeOfShadow / outline.pixelsPerUnit[i];
       for (Circle *circle : {&outside, &dark, &inside, &surround}) {
         const Eigen::Vector2d place = onCircle(circle->radius, i);
-        circle->greys[i] *= light.getBright() / std::max(light.at(place), 1.);
+        circle->greys[i] *= light.litAt(Eigen::Vector2d::Zero()) / std::max(light.at(place), 1.);
         isAsked[i] = isAsked[i] && std::abs(light.distanceToShadow(place)) > edge;
       }
     }

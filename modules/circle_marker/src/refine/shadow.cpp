@@ -51,7 +51,7 @@ std::optional<Shadow> shadowOn(const vpImage<unsigned char> &I, const CameraMode
     whites[k] = *grey;
   }
   const MarkerLight light(whites.data(), directions, radius, 0.);
-  if (!light.hasShadow() || light.getBright() <= 0.) {
+  if (!light.hasShadow()) {
     return std::nullopt;
   }
   // Two points of the edge, which is straight in the plane and in the image.
@@ -69,7 +69,7 @@ std::optional<Shadow> shadowOn(const vpImage<unsigned char> &I, const CameraMode
     toDark = -toDark;
   }
   Shadow shadow;
-  shadow.factor = light.getDark() / light.getBright();
+  shadow.factor = light.getFactor();
   shadow.direction = std::atan2(toDark.y(), toDark.x());
   shadow.edge = toDark.dot(p);
   shadow.softness = std::min(commonSoftness / frame.size, mostSoftness);
