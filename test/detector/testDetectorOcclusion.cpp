@@ -26,6 +26,11 @@ using namespace detector_test;
 
 namespace {
 constexpr unsigned int frames = 60;
+// What the visible share of the edge may be off, and how often it may be more: a cover of the ink's grey level that
+// ends along the edge looks like it, and a marker that was read whole though something lies on it has its outline's
+// share.
+constexpr double visibleSlack = 0.1;
+constexpr unsigned int mostMisjudged = 2;
 
 /*! What is asked of a cover. */
 struct Floor
@@ -74,6 +79,7 @@ TEST_P(DetectorOcclusion, MarkersAreFoundAndRightlyReadOrNotAtAll)
   vpDetectorCircleMarker detector(family);
   detector.setZAlignedWithCameraAxis(true);
   unsigned int found = 0;
+  unsigned int misjudged = 0; // share of the edge that is visible
   for (unsigned int frame = 0; frame < frames; ++frame) {
     const double diameter = 44. * std::pow(150. / 44., uniform(random, 0., 1.));
     const vpHomogeneousMatrix cMo = randomPose(random, diameter, uniform(random, 0., 1.));
@@ -96,9 +102,11 @@ TEST_P(DetectorOcclusion, MarkersAreFoundAndRightlyReadOrNotAtAll)
       const bool isHere = vpImagePoint::distance(detection.center, truth[0].center) < 0.1 * diameter;
       EXPECT_TRUE(isHere && detection.id == id) << "frame " << frame << ": id " << detection.id << " for " << id;
       found += isHere && detection.id == id ? 1 : 0;
+      misjudged += std::abs(detection.visible - truth[0].visibleEdge) > visibleSlack ? 1 : 0;
     }
   }
   EXPECT_GE(found, floor.least) << "of " << frames;
+  EXPECT_LE(misjudged, mostMisjudged) << "of " << found;
 }
 
 INSTANTIATE_TEST_SUITE_P(Floors, DetectorOcclusion,

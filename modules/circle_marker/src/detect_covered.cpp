@@ -17,8 +17,12 @@
 
 #include "detect_covered.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "support/bilinear.h"
+#include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -38,10 +42,21 @@ constexpr double wholeExplained = 0.87;
 // something else is in it.
 constexpr double mostNoiseOfWhole = 1.5;
 constexpr double mostLackingOfWhole = 0.03;
+// And of its outline this share is found.
+constexpr double leastSupportOfWhole = 0.9;
 
 // Most that the model may leave of a marker with corrected sectors, standard deviation, share of the contrast: noise of
 // 20 grey levels on a contrast of 170. A codeword that was read at a wrong pose leaves more.
 constexpr double mostNoiseOfCorrected = 0.12;
+
+// The outer edge is looked at in so many directions, on either side of it by this part of the blur, where a tenth of
+// the other side is left, and by no more than this share of the radius: ring and quiet zone are twice as wide.
+constexpr int directionsOfEdge = 180;
+constexpr double besideEdge = 1.25;
+constexpr double mostBesideEdge = 0.08;
+// The grey levels there may be off by this share of the contrast, and by so many standard deviations of the noise.
+constexpr double sameLevel = 0.2;
+constexpr double sameLevelOfNoise = 3.;
 
 // What a ring's measurement, which started from a pose, tells of its light and blur.
 MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const CameraModel &camera)
@@ -86,7 +101,7 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
   return marker ? std::optional<Recognition>(std::move(*marker)) : std::nullopt;
 }
 
-WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
+WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &camera, double noise, double support,
                         const Recognition &marker, const Measurement &measurement, MeasureMemory &memory)
 {
   if (!marker.family.isCoded() || marker.seen || marker.blurred) {
@@ -99,7 +114,7 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
     return WholeVerdict::RIGHT;
   }
   const bool isNoisy = measurement.first.noise > mostNoiseOfWhole * noise + mostLackingOfWhole * contrast;
-  if (!isDoubted && !isNoisy) {
+  if (!isDoubted && !isNoisy && support >= leastSupportOfWhole) {
     return WholeVerdict::RIGHT;
   }
   const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
@@ -119,6 +134,35 @@ bool isLikeliestThoughCovered(const vpImage<unsigned char> &I, const CameraModel
 {
   const TrackPixels pixels(I, camera, ringOf(measurement.first, marker.poses[0], camera), marker.family, memory.track);
   return isLikeliest(pixels, marker.family.getCodeword(marker.code.id), marker.family);
+}
+
+double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                     const Measurement &measurement)
+{
+  const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
+  const double slack = sameLevel + sameLevelOfNoise * ring.noise / (ring.contrast * ring.light);
+  int visible = 0;
+  for (int i = 0; i < directionsOfEdge; ++i) {
+    const double angle = 2. * M_PI * i / directionsOfEdge;
+    const Eigen::Vector2d toRim(std::cos(angle), std::sin(angle));
+    const auto pixelAt = [&](double radius) { return camera.toPixel(ring.plane.project(radius * toRim)); };
+    // Across the edge: from afar it is slanted to the direction from the centre.
+    const Eigen::Vector2d rim = pixelAt(1.);
+    const Eigen::Vector2d along =
+        camera.toPixel(ring.plane.project(toRim + 0.01 * Eigen::Vector2d(-toRim.y(), toRim.x()))) - rim;
+    const Eigen::Vector2d beyond = pixelAt(1. + mostBesideEdge) - rim;
+    Eigen::Vector2d across = Eigen::Vector2d(along.y(), -along.x()).normalized();
+    across *= across.dot(beyond) < 0. ? -1. : 1.;
+    const double beside = std::min(besideEdge * ring.blur, across.dot(beyond)); // pixels
+    const double left = NormalDistribution::instance().at(-beside / ring.blur).cumulative;
+    const auto isLevel = [&](double side, double expected) {
+      const Eigen::Vector2d place = rim + side * across;
+      const auto grey = bilinear(I, place);
+      return grey && std::abs(1. - (1. - *grey / ring.whiteAt(place)) / ring.contrast - expected) < slack;
+    };
+    visible += isLevel(beside, 1. - left) && isLevel(-beside, left) ? 1 : 0;
+  }
+  return static_cast<double>(visible) / directionsOfEdge;
 }
 
 void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector<Attempt> &attempts)

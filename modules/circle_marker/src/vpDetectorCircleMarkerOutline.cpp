@@ -151,7 +151,7 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
 {
   MeasureMemory &memory = bench.measuring;
   const double noise = m_outlines.full.gradient.noise;
-  const WholeVerdict verdict = judgeWhole(visit.I, visit.camera, noise, marker, measurement, memory);
+  const WholeVerdict verdict = judgeWhole(visit.I, visit.camera, noise, outline.support, marker, measurement, memory);
   if (verdict != WholeVerdict::COVERED) {
     return verdict == WholeVerdict::RIGHT ? std::optional<Measurement>(measurement) : std::nullopt;
   }
@@ -195,7 +195,9 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
       scaleTo(sizeOf(marker, visit.size), *measurement->second);
     }
   }
-  const double visible = marker.seen ? marker.seen->share() : outline.support;
+  const double visible = !marker.seen          ? outline.support
+                         : settings.refinePose ? visibleEdgeOf(visit.I, visit.camera, marker, *measurement)
+                                               : marker.seen->share();
   vpCircleMarkerDetection &detection = measured.detection;
   putReport(marker, *measurement, visit.camera, visible, settings.zAlignedWithCameraAxis, detection);
   if (settings.refinePose && marker.family.getType() == vpCircleMarkerFamily::RING &&

@@ -308,7 +308,9 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
 
   const ImageFrame frame = frameOf(marker.poses[0], camera);
-  settings.shadow = shadowOn(I, camera, frame, marker.poses[0], marker.family.getLayout().quietZone);
+  if (!marker.seen) { // what covers a marker looks like the edge of a shadow
+    settings.shadow = shadowOn(I, camera, frame, marker.poses[0], marker.family.getLayout().quietZone);
+  }
 
   // All starts on few pixels, to know which are worth more and how wide the blur is.
   FitSettings coarse = settings;
