@@ -174,3 +174,38 @@ TEST(DetectorBadPictures, StrongDefocusOfMoreSectors)
 {
   expectFound(bch31r, defocus);
 }
+
+// A disc of 8 % of the diameter, which no Gaussian is, on a plain ring. Of 16 frames the mean of the squared
+// Mahalanobis distances, by degrees of freedom, is 1 +- 0.16 if the covariance is right; it is a guess of the shape's
+// error.
+TEST(DetectorBadPictures, CovarianceOfDefocusedRings)
+{
+  constexpr int frames = 16;
+  constexpr double most = 2.;
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector(ring);
+  detector.setZAlignedWithCameraAxis(true);
+  double sum = 0.;
+  int found = 0;
+  for (int frame = 0; frame < frames; ++frame) {
+    const double diameter = 44. * std::pow(120. / 44., uniform(random, 0., 1.));
+    const vpHomogeneousMatrix cMo = randomPose(random, diameter, uniform(random, 0.2, 0.87));
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    vpScenePhotometry photometry;
+    photometry.defocusRadius = 0.04 * diameter;
+    simulator.setPhotometry(photometry);
+    vpSimulatedMarker marker = printed(ring, -1);
+    simulator.addMarker(marker.setPose(cMo));
+    vpImage<unsigned char> I;
+    simulator.render(I, random());
+    std::vector<vpHomogeneousMatrix> poses;
+    detector.detect(I, size, straightCamera(), poses);
+    if (poses.size() == 1) {
+      const vpCircleMarkerDetection &detection = detector.getDetections()[0];
+      sum += mahalanobis(cMo, detection.cMo, detection.covariance, detection.dof) / detection.dof;
+      ++found;
+    }
+  }
+  ASSERT_GE(found, frames - 2);
+  EXPECT_LE(sum / found, most);
+}
