@@ -58,6 +58,12 @@ vpImage<unsigned char> imageAt(const std::vector<Flight> &flights, int image, st
   return I;
 }
 
+//! Whether the other pose was not measured on all pixels: log-odds of 30 on the few are more on all.
+bool isGivenUp(const vpCircleMarkerDetection &detection)
+{
+  return detection.logOdds > 30.;
+}
+
 //! The detections nearest to each other are the same markers at the same poses.
 void expectSameMarkers(vpDetectorCircleMarker &followed, vpDetectorCircleMarker &whole)
 {
@@ -74,8 +80,10 @@ void expectSameMarkers(vpDetectorCircleMarker &followed, vpDetectorCircleMarker 
     EXPECT_LT(differenceOf(p.cMo, q.cMo), 1e-4);
     // Infinite if both starts lead to one pose, which then is the only one.
     EXPECT_EQ(std::isinf(p.logOdds), std::isinf(q.logOdds));
+    // A pose that is given up early is judged by a few hundred pixels, in rows that begin at the outline: by other
+    // pixels, the log-odds are others by chance, of standard deviation sqrt(2 log-odds).
     if (!std::isinf(q.logOdds)) {
-      EXPECT_NEAR(p.logOdds, q.logOdds, 0.01 * q.logOdds + 0.1);
+      EXPECT_NEAR(p.logOdds, q.logOdds, std::max(0.01 * q.logOdds + 0.1, isGivenUp(q) ? std::sqrt(q.logOdds) : 0.));
     }
   }
 }

@@ -110,6 +110,8 @@ private:
   circle_marker::SoughtCenters soughtCenters() const;
   bool searchRegions(const Visit &visit);
   void searchWhole(const Visit &visit);
+  bool followOutlines(const Visit &visit, const std::vector<circle_marker::PixelBox> &boxes);
+  bool examineRegions(const Visit &visit);
   void searchRegion(const Visit &visit, const circle_marker::PixelBox &box);
   void examineAll(const Visit &visit, const Outlines &outlines);
   void allowBlurred(const Visit &visit, const Outlines &outlines);
@@ -135,6 +137,7 @@ private:
   circle_marker::OutlineMemory m_regions;         //!< The same for regions of images.
   vpImage<unsigned char> m_region;                //!< A region of the image.
   Outlines m_regionOutlines;                      //!< Outlines of all regions.
+  circle_marker::OutlineFitter m_follower;        //!< Finds them where they are expected.
   circle_marker::MarkerTracks m_tracks;           //!< Markers of the last images.
   unsigned int m_sinceWhole = 0;                  //!< Images since a whole one was searched.
   std::vector<circle_marker::SeenMarker> m_seen;  //!< Markers of the last image.

@@ -37,6 +37,11 @@ void copyRegion(const vpImage<unsigned char> &I, const PixelBox &box, vpImage<un
   }
 }
 
+bool isWithin(const Eigen::Vector2d &position, const vpImage<unsigned char> &I)
+{
+  return position.x() >= 0. && position.y() >= 0. && position.x() < I.getWidth() && position.y() < I.getHeight();
+}
+
 // From pixels of a region to those of the image.
 void moveBy(const Eigen::Vector2d &offset, EllipseCandidate &outline)
 {
@@ -63,23 +68,65 @@ bool vpDetectorCircleMarker::Impl::searchRegions(const Visit &visit)
   if (boxes.empty()) {
     return false;
   }
-  searched.clear();
   debug = vpCircleMarkerDebug();
-  m_regionOutlines.clear();
+  searched.clear();
   for (const PixelBox &box : boxes) {
-    searchRegion(visit, box);
+    searched.push_back(vpRect(box.left, box.top, box.width(), box.height()));
   }
+  // What the rooms see is kept of a search only.
+  const bool areFollowed = !keepsDebug && followOutlines(visit, boxes) && examineRegions(visit);
+  if (!areFollowed) {
+    m_regionOutlines.clear();
+    for (const PixelBox &box : boxes) {
+      searchRegion(visit, box);
+    }
+    if (!examineRegions(visit)) {
+      return visit.deadline.hasPassed(); // there is no time for more
+    }
+  }
+  m_tracks.follow(m_seen, width, height);
+  ++m_sinceWhole;
+  return true;
+}
+
+/*! The outlines of the regions through the rooms after them; whether all markers that are followed are there. */
+bool vpDetectorCircleMarker::Impl::examineRegions(const Visit &visit)
+{
   std::sort(m_regionOutlines.begin(), m_regionOutlines.end(),
             [](const EllipseCandidate &p, const EllipseCandidate &q) { return p.ellipse.a > q.ellipse.a; });
   outlineCount = static_cast<unsigned int>(m_regionOutlines.size());
   examineAll(visit, m_regionOutlines);
   keepSeen(m_regionOutlines);
-  if (!m_tracks.haveAll(m_seen)) {
-    return visit.deadline.hasPassed(); // there is no time for more
+  return m_tracks.haveAll(m_seen);
+}
+
+/*!
+  The outlines of the markers around where they are expected: all that a search of their regions would find of them, for
+  a quarter of its time. False if one is not there.
+*/
+bool vpDetectorCircleMarker::Impl::followOutlines(const Visit &visit, const std::vector<PixelBox> &boxes)
+{
+  m_regionOutlines.clear();
+  const SoughtCenters sought = soughtCenters();
+  for (const PixelBox &box : boxes) {
+    copyRegion(visit.I, box, m_region);
+    Gradient &gradient = m_regions.full.gradient;
+    gradient.noise = m_outlines.full.gradient.noise;
+    computeGradient(m_region, gradient, visit.deadline, NoiseSource::KNOWN);
+    const Eigen::Vector2d corner(box.left, box.top);
+    for (EllipseParameters expected : m_tracks.getExpected()) {
+      expected.center -= corner;
+      if (!isWithin(expected.center, m_region)) {
+        continue; // it is in another box
+      }
+      EllipseCandidate &outline = m_regionOutlines.append();
+      if (m_follower.follow(m_region, gradient, expected, sought, outline) != EllipseReject::NONE) {
+        return false;
+      }
+      moveBy(corner, outline);
+    }
   }
-  m_tracks.follow(m_seen, width, height);
-  ++m_sinceWhole;
-  return true;
+  return m_regionOutlines.size() == m_tracks.getExpected().size();
 }
 
 /*! A region through the rooms up to the outlines. */
@@ -97,7 +144,6 @@ void vpDetectorCircleMarker::Impl::searchRegion(const Visit &visit, const PixelB
     moveBy(Eigen::Vector2d(box.left, box.top), outline);
     std::swap(m_regionOutlines.append(), outline);
   }
-  searched.push_back(vpRect(box.left, box.top, box.width(), box.height()));
 }
 
 /*! Notes the markers of the image, to look for them in the next one. */

@@ -237,3 +237,28 @@ TEST(EllipseCandidates, CutByTheImageBorder)
     }
   }
 }
+
+// From where it was in the image before to where it is, if it is not too far.
+TEST(OutlineFitter, FollowsAnOutline)
+{
+  Random random = randomOfTest();
+  OutlineFitter fitter;
+  Gradient gradient;
+  for (int i = 0; i < 60; ++i) {
+    const EllipseScene disc = randomEllipse(random, 20., 60., 0.45, 150.);
+    const vpImage<unsigned char> I = photograph(150, 150, 0.7, disc);
+    computeGradient(I, gradient);
+    const EllipseCandidate searched = ellipsesOf(I).at(0);
+    const double azimuth = uniform(random, -M_PI, M_PI);
+    EllipseParameters expected = searched.ellipse;
+    expected.center += disc.b / 12. * Eigen::Vector2d(std::cos(azimuth), std::sin(azimuth));
+    expected.angle += 0.03;
+    EllipseCandidate followed;
+    ASSERT_EQ(fitter.follow(I, gradient, expected, SoughtCenters(), followed), EllipseReject::NONE);
+    EXPECT_LT(errorOf(followed.ellipse, {searched.ellipse.center, searched.ellipse.a, searched.ellipse.b, 0.}), 0.02);
+    EXPECT_NEAR(followed.support, searched.support, 0.03);
+    // Nothing is there.
+    expected.center.x() += 1.2 * disc.a;
+    EXPECT_NE(fitter.follow(I, gradient, expected, SoughtCenters(), followed), EllipseReject::NONE);
+  }
+}

@@ -159,3 +159,22 @@ TEST(MarkerTracks, MarkersWithoutACodeAreToldApartByPlace)
   EXPECT_TRUE(tracks.haveAll({left, right}));
   EXPECT_FALSE(tracks.haveAll({left, seenAt(160., 150., 30., -1)})) << "twice the same place";
 }
+
+TEST(MarkerTracks, ExpectsTheOutlineWhereItMovesTo)
+{
+  MarkerTracks tracks;
+  tracks.follow({seenAt(200., 150., 40.)}, width, height);
+  tracks.predict(width, height);
+  ASSERT_EQ(tracks.getExpected().size(), 1u);
+  EXPECT_EQ(tracks.getExpected()[0].center, Eigen::Vector2d(200., 150.)); // its speed is not known yet
+  tracks.follow({seenAt(206., 147., 42.)}, width, height);
+  tracks.predict(width, height);
+  ASSERT_EQ(tracks.getExpected().size(), 1u);
+  const EllipseParameters expected = tracks.getExpected()[0];
+  EXPECT_EQ(expected.center, Eigen::Vector2d(212., 144.));
+  EXPECT_NEAR(expected.a, 44., 1e-9);
+  EXPECT_NEAR(expected.b, 0.7 * 44., 1e-9);
+  EXPECT_EQ(expected.angle, 0.5);
+  tracks.predict(width, height + 1); // another camera
+  EXPECT_TRUE(tracks.getExpected().empty());
+}

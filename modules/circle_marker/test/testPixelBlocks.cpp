@@ -193,3 +193,61 @@ TEST(PixelBlocks, DoubtGrowsWithTheDifferenceOfTheSurround)
   EXPECT_GT(varianceOf(0.5, 200., 30.), 100.);                         // texture
   EXPECT_GT(varianceOf(0.5, 0., HUGE_VAL), varianceOf(0.5, 100., 2.)); // the image ends there: anything is possible
 }
+
+TEST(PixelBlocks, ServeNearPosesOnly)
+{
+  Random random = randomOfTest();
+  const Packed packed = pack(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 90., Photometry());
+  const MarkerPlane plane = packed.scene.plane(); // sorted for a pose that may be off by a pixel
+  BlurParameters wide;
+  wide.sigma = 2. * BlurParameters().sigma;
+  EXPECT_TRUE(serve(packed.blocks, plane, BlurParameters(), 1.));
+  EXPECT_FALSE(serve(packed.blocks, plane, BlurParameters(), 1.1));
+  EXPECT_FALSE(serve(packed.blocks, plane, wide, 1.));
+  MarkerPlane moved = plane;
+  moved.center.x() += 0.6 * plane.center.z() * packed.blocks.reference.unit; // 0.6 pixels
+  EXPECT_TRUE(serve(packed.blocks, moved, BlurParameters(), 0.3));
+  EXPECT_FALSE(serve(packed.blocks, moved, BlurParameters(), 0.5));
+  MarkerPlane spun = plane; // the outline stays where it is, the sectors do not
+  spun.spin(0.2);
+  EXPECT_FALSE(serve(packed.blocks, spun, BlurParameters(), 0.5));
+  EXPECT_FALSE(serve(PixelBlocks(), plane, BlurParameters(), 0.));
+}
+
+TEST(PixelBlocks, TheSurroundIsJudgedAgainAsAtFirst)
+{
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING}) {
+    const vpCircleMarkerFamily family(type);
+    Photometry first;
+    first.light = 150.;
+    Packed packed = pack(random, family, 30., first);
+    ASSERT_FALSE(packed.blocks.surrounds.empty());
+    Photometry other = first;
+    other.light = 230.;
+    other.surround = {{0.8, 0.1}};
+    const MarkerPlane plane = packed.scene.plane();
+    const PixelBlocks before = packed.blocks;
+    judgeSurround(packed.pixels, plane, packed.pattern, other, 3., packed.blocks);
+    PixelBlocks anew;
+    packPixels(packed.pixels, plane, packed.pattern, other, 3., 1., mostBorders, anew);
+    bool isChanged = false;
+    for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+      ASSERT_EQ(packed.blocks.bySight[kind].size(), anew.bySight[kind].size());
+      for (std::size_t k = 0; k < anew.bySight[kind].size(); ++k) {
+        const PixelBlock &p = packed.blocks.bySight[kind][k];
+        const PixelBlock &q = anew.bySight[kind][k];
+        EXPECT_TRUE((p.variance == q.variance).all());
+        isChanged = isChanged || !(p.variance == before.bySight[kind][k].variance).all();
+        ASSERT_EQ(p.surround == PixelBlock::none, q.surround == PixelBlock::none);
+        if (p.surround != PixelBlock::none) {
+          const SurroundLanes &a = packed.blocks.surrounds[p.surround];
+          const SurroundLanes &b = anew.surrounds[q.surround];
+          EXPECT_TRUE((a.spread == b.spread).all() && (a.share[0] == b.share[0]).all() &&
+                      (a.share[1] == b.share[1]).all() && (a.beyond[0] == b.beyond[0]).all());
+        }
+      }
+    }
+    EXPECT_TRUE(isChanged);
+  }
+}

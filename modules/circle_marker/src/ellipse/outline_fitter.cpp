@@ -198,6 +198,15 @@ EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const 
   return candidate.contrast < rise ? EllipseReject::NOT_DARK_INSIDE : EllipseReject::NONE;
 }
 
+EllipseReject OutlineFitter::follow(const vpImage<unsigned char> &I, const Gradient &gradient,
+                                    const EllipseParameters &expected, const SoughtCenters &sought,
+                                    EllipseCandidate &candidate)
+{
+  candidate.ellipse = expected;
+  candidate.conic = conicFromEllipse(expected);
+  return complete(I, gradient, sought, candidate);
+}
+
 // An ellipse through points; leaves candidate.conic and candidate.ellipse, or tells that there is none.
 bool OutlineFitter::fitPoints(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate,
                               const FitLimits &limits)

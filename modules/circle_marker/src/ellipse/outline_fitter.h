@@ -60,6 +60,17 @@ public:
   EllipseReject fitThinRing(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
                             std::size_t count, double ringInner, EllipseCandidate &candidate);
 
+  /*!
+    The outline of a marker that was seen in the image before.
+    \param I : The image.
+    \param gradient : Its gradient.
+    \param expected : Where the outline is expected, off by a twelfth of its semi-minor axis at most.
+    \param sought : What the markers have inside.
+    \param candidate : The outline, if the result is EllipseReject::NONE; undefined otherwise.
+  */
+  EllipseReject follow(const vpImage<unsigned char> &I, const Gradient &gradient, const EllipseParameters &expected,
+                       const SoughtCenters &sought, EllipseCandidate &candidate);
+
 private:
   bool fitPoints(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate,
                  const FitLimits &limits = roughFit);

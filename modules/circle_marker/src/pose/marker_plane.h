@@ -79,6 +79,24 @@ inline double outlineMotion(const MarkerPlane &from, const MarkerPlane &to)
   }
   return std::sqrt(squared);
 }
+
+/*!
+  How far the print moves in the image from one pose to another, its spin too: the largest distance that eight points of
+  the outline and the centre move, normalised coordinates.
+*/
+inline double printMotion(const MarkerPlane &from, const MarkerPlane &to)
+{
+  double squared = (to.project(Eigen::Vector2d::Zero()) - from.project(Eigen::Vector2d::Zero())).squaredNorm();
+  for (const double x : {-1., 0., 1.}) {
+    for (const double y : {-1., 0., 1.}) {
+      if (x != 0. || y != 0.) {
+        const Eigen::Vector2d q = Eigen::Vector2d(x, y).normalized();
+        squared = std::max(squared, (to.project(q) - from.project(q)).squaredNorm());
+      }
+    }
+  }
+  return std::sqrt(squared);
+}
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -62,6 +62,7 @@ struct FitSettings
   //! A step is the last when what it leaves of the way is expected to be less than this share of a standard deviation.
   double convergence = 0.15;
   std::optional<Rival> rival; //!< Who a fit has to be better than to go on.
+  bool samePixels = false;    //!< Whether pixels and print are those of the fit before: what is sorted may serve again.
 };
 
 /*! Where a fit starts. */

@@ -63,6 +63,16 @@ void Likelihood::setPixels(const std::vector<FitPixel> &pixels, const MarkerPlan
              m_memory.blocks);
 }
 
+bool Likelihood::keepPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const Photometry &photometry,
+                            double noise, double room)
+{
+  if (!serve(m_memory.blocks, plane, photometry.blur, room)) {
+    return false;
+  }
+  judgeSurround(pixels, plane, m_pattern, photometry, noise, m_memory.blocks);
+  return true;
+}
+
 bool Likelihood::correct(const MarkerPlane &plane, const Photometry &photometry)
 {
   return m_settings.exactBends && correctBends(plane, m_pattern, photometry.blur, m_memory.blocks);

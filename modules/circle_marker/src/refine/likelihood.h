@@ -75,6 +75,14 @@ public:
   void setPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const Photometry &photometry,
                  double noise);
 
+  /*!
+    Takes the pixels that the memory has as they are sorted, if that serves at another pose; only the surround is judged
+    again. If not, they have to be set again.
+    \param room : How far a fit may go from there, pixels.
+  */
+  bool keepPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const Photometry &photometry,
+                  double noise, double room);
+
   /*! Corrects the model where edges bend strongly, if the settings want it; whether there are such edges. */
   bool correct(const MarkerPlane &plane, const Photometry &photometry);
 

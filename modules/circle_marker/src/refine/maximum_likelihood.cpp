@@ -156,14 +156,18 @@ class Preparation
 public:
   Preparation(const std::vector<FitPixel> &pixels, const FitSettings &settings, Likelihood &fit,
               const FitMemory &memory)
-      : m_pixels(pixels), m_sortAgain(sortAgain * settings.poseError), m_fit(fit), m_memory(memory)
+      : m_pixels(pixels), m_sortAgain(sortAgain * settings.poseError), m_fit(fit), m_memory(memory),
+        m_hasPixels(settings.samePixels)
   {
   }
 
   // Only sorts, for what comes before light and noise are known.
   void sort(const MarkerPlane &plane, const Photometry &photometry, double noise)
   {
-    m_fit.setPixels(m_pixels, plane, photometry, noise);
+    if (!m_hasPixels || !m_fit.keepPixels(m_pixels, plane, photometry, noise, m_sortAgain)) {
+      m_fit.setPixels(m_pixels, plane, photometry, noise);
+    }
+    m_hasPixels = true;
     m_sorted = plane;
     m_sortedBlur = photometry.blur.widest();
   }
@@ -211,6 +215,7 @@ private:
   const double m_sortAgain; // pixels
   Likelihood &m_fit;
   const FitMemory &m_memory;
+  bool m_hasPixels; // whether those in the memory are these
   MarkerPlane m_sorted;
   double m_sortedBlur = 0.; // pixels; 0 before
   MarkerPlane m_plane;
@@ -434,7 +439,9 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
   settings.growth = false;
   settings.exactBends = exactBends;
   Likelihood likelihood(pattern, settings, memory);
-  likelihood.setPixels(pixels, fit.plane, surround, noise);
+  if (!likelihood.keepPixels(pixels, fit.plane, surround, noise, 0.)) {
+    likelihood.setPixels(pixels, fit.plane, surround, noise);
+  }
   likelihood.correct(fit.plane, fit.photometry);
   likelihood.evaluate(fit.plane, fit.photometry);
   return likelihood.costOfResiduals(fit.photometry, noise);

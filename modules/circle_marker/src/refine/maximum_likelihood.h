@@ -102,7 +102,8 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
                                   const MarkerPattern &pattern, const FitSettings &settings, FitMemory &memory);
 
 /*!
-  Robust sum of squared residuals at a given noise, so that two fits can be compared. The surround is judged by the
+  Robust sum of squared residuals at a given noise, so that two fits can be compared. The pixels must be those of the
+  last fit: as they are sorted in the memory they may serve. The surround is judged by the
   photometry \e surround, which is the same for all fits; strong bends are corrected as by FitSettings::exactBends.
 */
 double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,

@@ -165,6 +165,7 @@ Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> 
   Few<FittedPose> fits;
   for (const FitStart &start : starts) {
     const auto fit = fitter.fitPose(pixels, start, pattern, settings);
+    settings.samePixels = true;
     if (!fit) {
       continue;
     }
@@ -360,6 +361,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     // From where a small marker's coarse fit ends, a wrong pose may come to its minimum and the right one be stuck.
     if (fits.size() > 1 && !isSameLight(fits[0].photometry, fits[1].photometry)) {
       const FitStart again = {mirrored(fits[0].plane), fits[0].photometry, noise};
+      settings.samePixels = true;
       if (const auto other = memory.fitter->fitPose(memory.pixels, again, pattern, settings)) {
         fits.push_back(*other);
         noise = rank(memory.pixels, pattern, true, fits, *memory.fitter);

@@ -75,6 +75,28 @@ void putSurround(const FitPixel &pixel, const PlanePoint &point, const PaperEnds
   block.variance[lane] = static_cast<float>(variance + photometry.unevenShare * photometry.unevenShare * most * most);
 }
 
+// The same for the first \e count pixels of a block, by their numbers; point: where all are on the marker.
+void putSurroundOfBlock(const std::vector<FitPixel> &pixels, const unsigned int *numbers, std::size_t count,
+                        const PlaneLanes &point, const PaperEnds &papers, const Photometry &photometry, double noise,
+                        SurroundLanes &surround, PixelBlock &block)
+{
+  for (Lanes *lanes :
+       {&surround.share[0], &surround.share[1], &surround.beyond[0], &surround.beyond[1], &surround.spread}) {
+    lanes->setZero();
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto lane = static_cast<Eigen::Index>(k);
+    block.variance[lane] = 0.f;
+    const FitPixel &pixel = pixels[numbers[k]];
+    if (pixel.seesSurround()) {
+      PlanePoint there;
+      there.q << point.qx[lane], point.qy[lane];
+      there.byPixel << point.qxByU[lane], point.qxByV[lane], point.qyByU[lane], point.qyByV[lane];
+      putSurround(pixel, there, papers, photometry, noise, lane, surround, block);
+    }
+  }
+}
+
 // What pixels at these radii may see, as the numbers of PixelSight; margin: how far they see, in radii.
 Lanes sightOf(const Lanes &radius, const Lanes &margin, const MarkerPattern &pattern)
 {
@@ -269,21 +291,8 @@ private:
     }
     if (seesSurround) {
       block.surround = m_blocks.surrounds.size();
-      SurroundLanes &surround = m_blocks.surrounds.emplace_back();
-      for (Lanes *lanes :
-           {&surround.share[0], &surround.share[1], &surround.beyond[0], &surround.beyond[1], &surround.spread}) {
-        lanes->setZero();
-      }
-      for (std::size_t k = 0; k < count; ++k) {
-        const FitPixel &pixel = m_pixels[numbers[k]];
-        if (pixel.seesSurround()) {
-          const auto lane = static_cast<Eigen::Index>(k);
-          PlanePoint there;
-          there.q << point.qx[lane], point.qy[lane];
-          there.byPixel << point.qxByU[lane], point.qxByV[lane], point.qyByU[lane], point.qyByV[lane];
-          putSurround(pixel, there, m_pattern.paper, m_photometry, m_noise, lane, surround, block);
-        }
-      }
+      putSurroundOfBlock(m_pixels, numbers.data(), count, point, m_pattern.paper, m_photometry, m_noise,
+                         m_blocks.surrounds.emplace_back(), block);
     }
   }
 
@@ -306,6 +315,22 @@ private:
 };
 } // namespace
 
+double sightThrough(const BlurParameters &blur, double poseError)
+{
+  // Lengths are larger by this factor at most than in the image.
+  const double longer = blur.widest() / blur.sigma;
+  return reachOfEdges * blur.sigma + longer * poseError;
+}
+
+bool serve(const PixelBlocks &blocks, const MarkerPlane &plane, const BlurParameters &blur, double poseError)
+{
+  if (!blocks.sorting) {
+    return false;
+  }
+  const double motion = printMotion(blocks.sorting->plane, plane) / blocks.reference.unit;
+  return sightThrough(blur, poseError + motion) <= blocks.sorting->seen;
+}
+
 void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
                 const Photometry &photometry, double noise, double poseError, int mostSeen, PixelBlocks &blocks)
 {
@@ -315,18 +340,42 @@ void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, c
       blocks.direction[kind].clear();
     }
     blocks.count.fill(0);
+    blocks.sorting.reset();
     return;
   }
   const ModelPixel middle = pixels[pixels.size() / 2].model();
   blocks.reference = {middle.meter, std::sqrt(std::abs(middle.meterPerPixel.determinant()))};
-  // Pixels, in coordinates in which the blur is round: there lengths are larger by this factor at most.
-  const double longer = photometry.blur.widest() / photometry.blur.sigma;
-  const double seen = reachOfEdges * photometry.blur.sigma + longer * poseError;
+  const double longer = photometry.blur.widest() / photometry.blur.sigma; // than where the blur is round, at most
+  const double seen = sightThrough(photometry.blur, poseError);
+  blocks.sorting = {plane, seen};
   blocks.borders =
       pattern.sectors > 0 ? std::min(bordersSeen(plane, pattern, blocks.reference.unit, longer * seen), mostSeen) : 0;
   Packer packer(pixels, plane, pattern, photometry, noise, blocks);
   packer.sort(seen);
   packer.fill();
+}
+
+void judgeSurround(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
+                   const Photometry &photometry, double noise, PixelBlocks &blocks)
+{
+  if (blocks.surrounds.empty()) {
+    return;
+  }
+  const PlaneHomography homography(plane, blocks.reference, photometry.blur.shape());
+  PlaneLanes point;
+  const unsigned int *first = blocks.sortedPixels.data();
+  for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+    const unsigned int *end = first + blocks.count[kind];
+    for (PixelBlock &block : blocks.bySight[kind]) {
+      const auto count = std::min<std::size_t>(laneCount, static_cast<std::size_t>(end - first));
+      if (block.surround != PixelBlock::none) {
+        homography.apply(block.place, point);
+        putSurroundOfBlock(pixels, first, count, point, pattern.paper, photometry, noise,
+                           blocks.surrounds[block.surround], block);
+      }
+      first += count;
+    }
+  }
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

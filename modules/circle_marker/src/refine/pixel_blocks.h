@@ -26,6 +26,7 @@
 #define VP_CIRCLE_MARKER_PIXEL_BLOCKS_H
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "refine/fit_pixel.h"
@@ -92,6 +93,14 @@ struct PixelBlocks
     return block.surround == PixelBlock::none ? nullptr : &surrounds[block.surround];
   }
 
+  /*! What the pixels are sorted for. */
+  struct Sorting
+  {
+    MarkerPlane plane;
+    double seen = 0.; //!< How far each is thought to see, pixels, where the blur is round.
+  };
+  std::optional<Sorting> sorting; //!< Nothing: they are not sorted.
+
   ImageReference reference;                                 //!< Origin and unit of the places.
   int borders = mostBorders;                                //!< Borders that a pixel may see: 1, 3 or 5.
   std::array<std::vector<PixelBlock>, pixelSights> bySight; //!< Blocks of each kind.
@@ -108,6 +117,23 @@ struct PixelBlocks
 };
 
 /*!
+  How far pixels see the print, pixels, in coordinates in which the blur is round.
+  \param blur : The blur, roughly.
+  \param poseError : How far the pose may be off, pixels.
+*/
+double sightThrough(const BlurParameters &blur, double poseError);
+
+/*!
+  Whether pixels that are sorted into blocks are right for another pose, too, once the surround is judged by it
+  (judgeSurround()).
+  \param blocks : The pixels.
+  \param plane : The other pose.
+  \param blur : Its blur.
+  \param poseError : How far it may be off, pixels.
+*/
+bool serve(const PixelBlocks &blocks, const MarkerPlane &plane, const BlurParameters &blur, double poseError);
+
+/*!
   Sorts pixels into blocks.
   \param pixels : The pixels.
   \param plane : The pose, known to about a pixel.
@@ -120,6 +146,10 @@ struct PixelBlocks
 */
 void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
                 const Photometry &photometry, double noise, double poseError, int mostSeen, PixelBlocks &blocks);
+
+/*! Judges again what the surround may do to sorted pixels; the parameters are those of packPixels(). */
+void judgeSurround(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
+                   const Photometry &photometry, double noise, PixelBlocks &blocks);
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

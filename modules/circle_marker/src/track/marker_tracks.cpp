@@ -65,6 +65,17 @@ PixelBox boxAround(const EllipseParameters &ellipse, double margin, int width, i
           inside(ellipse.center.x() + halfWidth + 1., width), inside(ellipse.center.y() + halfHeight + 1., height)};
 }
 
+// The outline in the next image, if it goes on as it did; the speed of its turn is not known.
+EllipseParameters MarkerTracks::Track::expected() const
+{
+  EllipseParameters outline = marker.outline;
+  outline.center += speed;
+  const double scale = std::max(1. + growth / outline.a, 0.5);
+  outline.a *= scale;
+  outline.b *= scale;
+  return outline;
+}
+
 // How far the marker may be from where it is expected, pixels.
 double MarkerTracks::Track::slack() const
 {
@@ -117,6 +128,7 @@ void MarkerTracks::follow(const std::vector<SeenMarker> &seen, int width, int he
 const std::vector<PixelBox> &MarkerTracks::predict(int width, int height)
 {
   m_boxes.clear();
+  m_expected.clear();
   if (width != m_width || height != m_height) {
     return m_boxes;
   }
@@ -132,6 +144,7 @@ const std::vector<PixelBox> &MarkerTracks::predict(int width, int height)
     constexpr int leastSide = 16; // pixels: less is on its way out of the image
     if (box.width() >= leastSide && box.height() >= leastSide) {
       m_boxes.push_back(box);
+      m_expected.push_back(track.expected());
     }
   }
   mergeBoxes();

@@ -74,6 +74,9 @@ public:
   */
   const std::vector<PixelBox> &predict(int width, int height);
 
+  /*! The outlines that are expected in the boxes of the last predict(), pixels of the image. */
+  const std::vector<EllipseParameters> &getExpected() const { return m_expected; }
+
   /*!
     Whether all markers that are followed are among those seen in the boxes, and whole: an outline that comes near to
     the side of its box may go on beyond it.
@@ -89,6 +92,7 @@ private:
     Eigen::Vector2d speed{0., 0.}; //!< Of its centre, pixels an image.
     double growth = 0.;            //!< Of its semi-major axis, pixels an image.
 
+    EllipseParameters expected() const;
     double slack() const;
     double distanceTo(const SeenMarker &other) const;
     bool mayBe(const SeenMarker &other) const;
@@ -97,11 +101,12 @@ private:
   bool isInTheOpen(const EllipseParameters &outline) const;
   void mergeBoxes();
 
-  std::vector<Track> m_tracks;   //!< The markers of the last image.
-  std::vector<Track> m_before;   //!< Those before them, and memory for the next.
-  std::vector<PixelBox> m_boxes; //!< Where they are looked for.
-  int m_width = 0;               //!< Of the images, pixels.
-  int m_height = 0;              //!< Of the images, pixels.
+  std::vector<Track> m_tracks;               //!< The markers of the last image.
+  std::vector<Track> m_before;               //!< Those before them, and memory for the next.
+  std::vector<PixelBox> m_boxes;             //!< Where they are looked for.
+  std::vector<EllipseParameters> m_expected; //!< Their outlines there.
+  int m_width = 0;                           //!< Of the images, pixels.
+  int m_height = 0;                          //!< Of the images, pixels.
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE
