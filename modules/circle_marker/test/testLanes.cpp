@@ -49,3 +49,20 @@ TEST(Lanes, FarAwayIsNeitherInfiniteNorUnknown)
     EXPECT_TRUE(std::isfinite(normal.density[lane]));
   }
 }
+
+TEST(Lanes, BelowABound)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 1000; ++i) {
+    Lanes values;
+    std::vector<int> expected;
+    for (int lane = 0; lane < laneCount; ++lane) {
+      values[lane] = i == 0 ? HUGE_VALF : static_cast<float>(uniform(random, 0., 2.));
+      if (values[lane] < 1.f) {
+        expected.push_back(lane);
+      }
+    }
+    const LaneList list = lanesBelow(values, 1.f);
+    EXPECT_EQ(std::vector<int>(list.lanes.begin(), list.lanes.begin() + list.count), expected);
+  }
+}

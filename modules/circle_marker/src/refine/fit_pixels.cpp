@@ -29,10 +29,13 @@ inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // Half-width of the band of pixels along an edge: beyond 2 standard deviations of the blur lies 0.5 % of what an edge
 // tells of its place and 5 % of what it tells of the blur; and the pose is known to this, pixels. A small marker, which
-// has few pixels, uses them up to 2.4 standard deviations: 0.1 and 1 % lie beyond.
+// has few pixels, uses them up to 2.4 standard deviations: 0.1 and 1 % lie beyond. A large one has so many that time
+// counts: 2.4 % of what an edge tells of its place lie beyond 1.6, and a fifth of the pixels.
 constexpr double bandOfBlur = 2.;
 constexpr double bandOfSmall = 2.4;
-constexpr double smallMarker = 40.; // diameter, pixels
+constexpr double bandOfLarge = 1.6;
+constexpr double smallMarker = 40.;  // diameter, pixels
+constexpr double largeMarker = 200.; // diameter, pixels
 constexpr double poseErrorOfSelection = 0.3;
 // Hypotheses that are served.
 constexpr std::size_t mostHypotheses = 2;
@@ -98,7 +101,8 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   const double outermost = pattern.paper[0].extent;
   const Box box = boundingBox(I, camera, planes, count, outermost);
   const double size = 0.25 * (box.right - box.left + box.bottom - box.top) / outermost;
-  const double band = (2. * size < smallMarker ? bandOfSmall : bandOfBlur) * blur.sigma + longer * poseErrorOfSelection;
+  const double deviations = 2. * size < smallMarker ? bandOfSmall : 2. * size > largeMarker ? bandOfLarge : bandOfBlur;
+  const double band = deviations * blur.sigma + longer * poseErrorOfSelection;
   const double expected = 2. * band * edgeLength(pattern, size);
   // A lattice of one pixel in `keep`, slanted by the golden section so that it has no short period along any edge; the
   // edges of a marker that is thinned know white and black well enough without its flat areas.

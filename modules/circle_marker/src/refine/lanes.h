@@ -31,6 +31,8 @@
 #define VP_CIRCLE_MARKER_LANES_H
 
 #include <array>
+#include <cstdint>
+#include <cstring>
 
 #include <Eigen/Core>
 
@@ -79,18 +81,48 @@ struct LaneList
   int count;
 };
 
-/*! The lanes whose value is below a bound. */
+#ifdef CIRCLE_MARKER_WIDE_LANES
+/*! For each set of lanes, as the bits of a number, those lanes in their order, a byte each. */
+struct LaneLists
+{
+  constexpr LaneLists()
+  {
+    for (unsigned int set = 0; set < lists.size(); ++set) {
+      unsigned int count = 0;
+      for (unsigned int lane = 0; lane < static_cast<unsigned int>(laneCount); ++lane) {
+        if ((set >> lane & 1U) != 0) {
+          lists[set] |= static_cast<std::uint64_t>(lane) << (8 * count++);
+        }
+      }
+      counts[set] = static_cast<unsigned char>(count);
+    }
+  }
+
+  std::array<std::uint64_t, 256> lists{};
+  std::array<unsigned char, 256> counts{};
+};
+constexpr LaneLists laneLists;
+#endif
+
+/*! The lanes whose value is below a bound. Without a branch that nobody can foretell. */
 inline LaneList lanesBelow(const Lanes &value, float bound)
 {
   LaneList list;
+#ifdef CIRCLE_MARKER_WIDE_LANES
+  const auto set = static_cast<unsigned int>(
+      _mm256_movemask_ps(_mm256_cmp_ps(value.value(), _mm256_set1_ps(bound), _CMP_LT_OQ)));
+  std::memcpy(list.lanes.data(), &laneLists.lists[set], sizeof(list.lanes)); // AVX is little-endian
+  list.count = laneLists.counts[set];
+#else
   list.count = 0;
   if (value.minCoeff() >= bound) {
     return list;
   }
-  for (int lane = 0; lane < laneCount; ++lane) { // without a branch that nobody can foretell
+  for (int lane = 0; lane < laneCount; ++lane) {
     list.lanes[static_cast<std::size_t>(list.count)] = static_cast<unsigned char>(lane);
     list.count += value[lane] < bound ? 1 : 0;
   }
+#endif
   return list;
 }
 

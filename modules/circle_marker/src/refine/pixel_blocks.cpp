@@ -152,31 +152,32 @@ public:
   void sort(double seen)
   {
     constexpr float perTurn = static_cast<float>(directions) / 6.2831853f;
-    std::array<unsigned int, firstBin[pixelSights] + 1> start = {};
-    m_blocks.bins.resize(m_pixels.size());
-    std::array<unsigned int, laneCount> numbers;
+    constexpr auto lastBin = static_cast<float>(firstBin[pixelSights] - 1);
+    m_blocks.bins.resize((m_pixels.size() + laneCount - 1) / laneCount * laneCount);
+    std::array<const FitPixel *, laneCount> pixels;
     PlaceLanes place;
     PlaneLanes point;
     for (std::size_t first = 0; first < m_pixels.size(); first += laneCount) {
-      const std::size_t count = std::min<std::size_t>(laneCount, m_pixels.size() - first);
+      const std::size_t last = m_pixels.size() - 1 - first;
       for (std::size_t k = 0; k < laneCount; ++k) {
-        numbers[k] = static_cast<unsigned int>(first + std::min(k, count - 1));
+        pixels[k] = &m_pixels[first + std::min(k, last)];
       }
-      placeOf(numbers.data(), place);
+      placeOf(pixels, place);
       m_homography.apply(place, point);
       const Lanes angle = roughAngle(point.qx, point.qy);
       const Lanes direction = (perTurn * (angle + 3.1415927f)).max(0.f).min(directions - 0.5f).floor();
       const Lanes margin = static_cast<float>(seen) * point.gradient;
       const Lanes sight = sightOf(point.radius, margin, m_pattern);
       const Lanes group = groupOf(sight, point.radius, margin, angle);
-      const Lanes bins = binOf(sight, direction, group);
-      for (std::size_t k = 0; k < count; ++k) {
-        // A pixel that does not see the plane has any place, but in the table.
-        const int bin =
-            std::clamp(static_cast<int>(bins[static_cast<std::ptrdiff_t>(k)]), 0, firstBin[pixelSights] - 1);
-        m_blocks.bins[first + k] = static_cast<unsigned char>(bin);
-        ++start[static_cast<std::size_t>(bin) + 1];
+      // A pixel that does not see the plane has any place, but in the table.
+      const Lanes bins = binOf(sight, direction, group).max(0.f).min(lastBin);
+      for (std::size_t k = 0; k < laneCount; ++k) {
+        m_blocks.bins[first + k] = static_cast<unsigned char>(static_cast<int>(bins[static_cast<Eigen::Index>(k)]));
       }
+    }
+    std::array<unsigned int, firstBin[pixelSights] + 1> start = {};
+    for (std::size_t k = 0; k < m_pixels.size(); ++k) {
+      ++start[static_cast<std::size_t>(m_blocks.bins[k]) + 1];
     }
     for (std::size_t bin = 1; bin < start.size(); ++bin) {
       start[bin] += start[bin - 1];
@@ -232,12 +233,8 @@ private:
   }
 
   // Places of eight pixels in the units of the blocks.
-  void placeOf(const unsigned int *numbers, PlaceLanes &place) const
+  void placeOf(const std::array<const FitPixel *, laneCount> &pixels, PlaceLanes &place) const
   {
-    std::array<const FitPixel *, laneCount> pixels;
-    for (std::size_t k = 0; k < laneCount; ++k) {
-      pixels[k] = &m_pixels[numbers[k]];
-    }
     const auto pixel = [&pixels](int lane) -> const FitPixel & { return *pixels[static_cast<std::size_t>(lane)]; };
     const ImageReference &reference = m_blocks.reference;
     const auto perUnit = static_cast<float>(1. / reference.unit);
@@ -265,18 +262,18 @@ private:
   // A block that is not full has its last pixel again in the other lanes, where it counts nothing.
   void fillBlock(const unsigned int *sorted, std::size_t count, PixelSight sight, PixelBlock &block)
   {
-    std::array<unsigned int, laneCount> numbers;
+    std::array<const FitPixel *, laneCount> pixels;
     bool seesSurround = false;
     for (std::size_t k = 0; k < laneCount; ++k) {
-      numbers[k] = sorted[std::min(k, count - 1)];
-      seesSurround = seesSurround || m_pixels[numbers[k]].seesSurround();
+      pixels[k] = &m_pixels[sorted[std::min(k, count - 1)]];
+      seesSurround = seesSurround || pixels[k]->seesSurround();
     }
-    const auto pixel = [&](int lane) -> const FitPixel & { return m_pixels[numbers[static_cast<std::size_t>(lane)]]; };
+    const auto pixel = [&pixels](int lane) -> const FitPixel & { return *pixels[static_cast<std::size_t>(lane)]; };
     block.offsetU = lanesOf([&](int lane) { return pixel(lane).offset.x(); });
     block.offsetV = lanesOf([&](int lane) { return pixel(lane).offset.y(); });
     block.grey = lanesOf([&](int lane) { return pixel(lane).grey; });
     block.variance = lanesOf([&](int lane) { return static_cast<std::size_t>(lane) < count ? 0.f : noPixel; });
-    placeOf(numbers.data(), block.place);
+    placeOf(pixels, block.place);
     block.correction.setZero();
     block.sectors = PixelBlock::none;
     block.surround = PixelBlock::none;
@@ -291,7 +288,7 @@ private:
     }
     if (seesSurround) {
       block.surround = m_blocks.surrounds.size();
-      putSurroundOfBlock(m_pixels, numbers.data(), count, point, m_pattern.paper, m_photometry, m_noise,
+      putSurroundOfBlock(m_pixels, sorted, count, point, m_pattern.paper, m_photometry, m_noise,
                          m_blocks.surrounds.emplace_back(), block);
     }
   }
