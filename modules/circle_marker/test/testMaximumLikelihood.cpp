@@ -189,6 +189,37 @@ TEST(MaximumLikelihood, WithoutIterationsTheStartIsOnlyJudged)
             robustSquares(made.pixels, *fit, made.pattern, truth->photometry, 1., true, memory));
 }
 
+// The first steps lower the noise, by which all residuals are large: who is behind then is not yet beaten.
+TEST(MaximumLikelihood, ARivalIsNoReasonToGiveUpEarly)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I(side, side, 0);
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::BCH31);
+  int givenUp = 0;
+  for (int i = 0; i < 40; ++i) {
+    const int id = randomId(random, family);
+    Case made = makeCase(markerScene(random, family, id, uniform(random, 20., 60.), 0.6, side), id, I);
+    BlurParameters blur;
+    blur.sigma = 1.1;
+    fillFromModel(made, Light(), blur, 1.5, random);
+    FitSettings settings = settingsOf(family);
+    settings.exactBends = false;
+    const auto best = fitAll(made.pixels, made.scene.plane(), made.pattern, settings);
+    ASSERT_TRUE(best);
+    settings.rival = Rival{best->squares, best->noise, 90.};
+    const auto other = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.08), made.pattern, settings);
+    ASSERT_TRUE(other);
+    EXPECT_LT(other->squares, 1.05 * best->squares) << "image " << i; // each is judged by its own noise
+    EXPECT_TRUE(other->isSettled);
+    // Another code has no chance, and needs not go to its end.
+    const MarkerPattern others =
+        patternOf(family, (id + 1) % static_cast<int>(family.getNbIds()), made.pattern.ring[1].radius);
+    const auto wrong = fitAll(made.pixels, made.scene.plane(), others, settings);
+    givenUp += wrong && !wrong->isSettled ? 1 : 0;
+  }
+  EXPECT_GT(givenUp, 30);
+}
+
 TEST(MaximumLikelihood, SpinStaysWithoutACode)
 {
   Random random = randomOfTest();

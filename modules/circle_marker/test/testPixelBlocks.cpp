@@ -199,19 +199,27 @@ TEST(PixelBlocks, ServeNearPosesOnly)
   Random random = randomOfTest();
   const Packed packed = pack(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 90., Photometry());
   const MarkerPlane plane = packed.scene.plane(); // sorted for a pose that may be off by a pixel
+  const auto serves = [&](const MarkerPlane &other, const BlurParameters &blur, double poseError) {
+    return serve(packed.blocks, other, packed.pattern, blur, poseError, mostBorders);
+  };
   BlurParameters wide;
   wide.sigma = 2. * BlurParameters().sigma;
-  EXPECT_TRUE(serve(packed.blocks, plane, BlurParameters(), 1.));
-  EXPECT_FALSE(serve(packed.blocks, plane, BlurParameters(), 1.1));
-  EXPECT_FALSE(serve(packed.blocks, plane, wide, 1.));
+  EXPECT_TRUE(serves(plane, BlurParameters(), 1.));
+  EXPECT_FALSE(serves(plane, BlurParameters(), 1.1));
+  EXPECT_FALSE(serves(plane, wide, 1.));
   MarkerPlane moved = plane;
   moved.center.x() += 0.6 * plane.center.z() * packed.blocks.reference.unit; // 0.6 pixels
-  EXPECT_TRUE(serve(packed.blocks, moved, BlurParameters(), 0.3));
-  EXPECT_FALSE(serve(packed.blocks, moved, BlurParameters(), 0.5));
+  EXPECT_TRUE(serves(moved, BlurParameters(), 0.3));
+  EXPECT_FALSE(serves(moved, BlurParameters(), 0.5));
   MarkerPlane spun = plane; // the outline stays where it is, the sectors do not
   spun.spin(0.2);
-  EXPECT_FALSE(serve(packed.blocks, spun, BlurParameters(), 0.5));
-  EXPECT_FALSE(serve(PixelBlocks(), plane, BlurParameters(), 0.));
+  EXPECT_FALSE(serves(spun, BlurParameters(), 0.5));
+  EXPECT_FALSE(serve(PixelBlocks(), plane, packed.pattern, BlurParameters(), 0., mostBorders));
+  // Of a small marker's borders some were left out.
+  Packed small = pack(random, vpCircleMarkerFamily(vpCircleMarkerFamily::BCH31), 22., Photometry());
+  packPixels(small.pixels, small.scene.plane(), small.pattern, Photometry(), 2., 1., 3, small.blocks);
+  EXPECT_TRUE(serve(small.blocks, small.scene.plane(), small.pattern, BlurParameters(), 0.5, 3));
+  EXPECT_FALSE(serve(small.blocks, small.scene.plane(), small.pattern, BlurParameters(), 0.5, mostBorders));
 }
 
 TEST(PixelBlocks, TheSurroundIsJudgedAgainAsAtFirst)

@@ -37,6 +37,7 @@ struct FittedPose
   double inliers = 0.;                    //!< Share of the pixels that count, in [0, 1].
   double correlation = 0.;                //!< Between model and image, in [-1, 1].
   bool isSettled = false;                 //!< Whether it has come to the end of its steps, not to the last allowed.
+  double decrement = 0.;                  //!< What another step would take off the squares, grey levels^2.
   Eigen::Matrix<double, 6, 6> covariance; //!< Of (t, w): see Darkness::byPose.
 };
 

@@ -66,7 +66,7 @@ void Likelihood::setPixels(const std::vector<FitPixel> &pixels, const MarkerPlan
 bool Likelihood::keepPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const Photometry &photometry,
                             double noise, double room)
 {
-  if (!serve(m_memory.blocks, plane, photometry.blur, room)) {
+  if (!serve(m_memory.blocks, plane, m_pattern, photometry.blur, room, m_settings.bordersSeen)) {
     return false;
   }
   judgeSurround(pixels, plane, m_pattern, photometry, noise, m_memory.blocks);

@@ -315,6 +315,7 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
   if (!inverse.allFinite()) {
     return false;
   }
+  result.decrement = equations.right.dot(inverse * equations.right);
   const double coherence = settings.exactBends ? fit.coherence(inverse, lastStep, noise, equations.used) : 1.;
   Eigen::Matrix<double, 6, 6> covariance =
       coherence * biweightCovariance * result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
@@ -413,7 +414,8 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
         if (isStale || !isNear) {
           matrixPlace.set(plane, photometry);
         }
-        if (race.isLost(fit, photometry)) {
+        // While the noise comes down, all residuals are outliers to the rival's: their cost tells nothing.
+        if (descent.isDown() && race.isLost(fit, photometry)) {
           break;
         }
         if (!descent.isOver()) {

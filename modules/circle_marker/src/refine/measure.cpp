@@ -197,10 +197,13 @@ double rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, b
   return noise;
 }
 
-// A pose without a chance beside the best, by what the few pixels say.
+// A pose without a chance beside the best, by what the few pixels say: neither as it is nor one step on, if its steps
+// were cut off. What that step would bring is known roughly, far from the minimum: to half of the way it is behind.
 bool isHopeless(const FittedPose &fit, const FittedPose &best, double noise)
 {
-  return fit.squares - best.squares > 2. * hopelessOdds * noise * noise;
+  const double behind = fit.squares - best.squares;
+  const double ahead = fit.isSettled ? 0. : std::min(fit.decrement, 0.5 * behind);
+  return behind - ahead > 2. * hopelessOdds * noise * noise;
 }
 
 // The pose that looks nearly the same: its normal on the other side of the line of sight.

@@ -33,15 +33,20 @@ namespace {
 // rounding to grey levels leaves.
 constexpr double reachOfEdges = 3.9;
 
-// Borders that a pixel of the track may see: those whose distance at the inner rim, along the image's shorter axis, is
-// within reachOfEdges.
-int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, double unit, double distance)
+// Borders that a pixel of the track may see, but no more than mostSeen: those whose distance at the inner rim, along
+// the image's shorter axis, is within its sight.
+int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur, double unit,
+                double poseError, int mostSeen)
 {
+  if (pattern.sectors == 0) {
+    return 0;
+  }
+  const double distance = blur.widest() / blur.sigma * sightThrough(blur, poseError); // in the image, at most
   const double tilt = plane.rotation.col(2).dot(plane.center.normalized());
   const double minor = plane.radius * std::abs(tilt) / (plane.center.norm() * unit); // pixels
   const double sector = 2. * M_PI / pattern.sectors * pattern.track[1].radius * minor;
   // With k to either side of the nearest, the next one is at least k + 1/2 sectors away.
-  return distance < 0.5 * sector ? 1 : distance < 1.5 * sector ? 3 : 5;
+  return std::min(distance < 0.5 * sector ? 1 : distance < 1.5 * sector ? 3 : 5, mostSeen);
 }
 
 // What the surround may do to a pixel: something between nothing and all of its share.
@@ -319,13 +324,15 @@ double sightThrough(const BlurParameters &blur, double poseError)
   return reachOfEdges * blur.sigma + longer * poseError;
 }
 
-bool serve(const PixelBlocks &blocks, const MarkerPlane &plane, const BlurParameters &blur, double poseError)
+bool serve(const PixelBlocks &blocks, const MarkerPlane &plane, const MarkerPattern &pattern,
+           const BlurParameters &blur, double poseError, int mostSeen)
 {
   if (!blocks.sorting) {
     return false;
   }
   const double motion = printMotion(blocks.sorting->plane, plane) / blocks.reference.unit;
-  return sightThrough(blur, poseError + motion) <= blocks.sorting->seen;
+  return sightThrough(blur, poseError + motion) <= blocks.sorting->seen &&
+         bordersSeen(plane, pattern, blur, blocks.reference.unit, poseError, mostSeen) <= blocks.borders;
 }
 
 void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
@@ -342,11 +349,9 @@ void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, c
   }
   const ModelPixel middle = pixels[pixels.size() / 2].model();
   blocks.reference = {middle.meter, std::sqrt(std::abs(middle.meterPerPixel.determinant()))};
-  const double longer = photometry.blur.widest() / photometry.blur.sigma; // than where the blur is round, at most
   const double seen = sightThrough(photometry.blur, poseError);
   blocks.sorting = {plane, seen};
-  blocks.borders =
-      pattern.sectors > 0 ? std::min(bordersSeen(plane, pattern, blocks.reference.unit, longer * seen), mostSeen) : 0;
+  blocks.borders = bordersSeen(plane, pattern, photometry.blur, blocks.reference.unit, poseError, mostSeen);
   Packer packer(pixels, plane, pattern, photometry, noise, blocks);
   packer.sort(seen);
   packer.fill();

@@ -128,10 +128,13 @@ double sightThrough(const BlurParameters &blur, double poseError);
   (judgeSurround()).
   \param blocks : The pixels.
   \param plane : The other pose.
-  \param blur : Its blur.
-  \param poseError : How far it may be off, pixels.
+  \param pattern : The print.
+  \param blur : The other blur.
+  \param poseError : How far the pose may be off, pixels.
+  \param mostSeen : Borders between sectors that a pixel may see at most: 1, 3 or 5.
 */
-bool serve(const PixelBlocks &blocks, const MarkerPlane &plane, const BlurParameters &blur, double poseError);
+bool serve(const PixelBlocks &blocks, const MarkerPlane &plane, const MarkerPattern &pattern,
+           const BlurParameters &blur, double poseError, int mostSeen);
 
 /*!
   Sorts pixels into blocks.
