@@ -22,6 +22,7 @@
 #include "decode/edge_width.h"
 #include "detect_covered.h"
 #include "pose/hypotheses.h"
+#include "refine/blur_shape.h"
 #include "refine/blurred_measurement.h"
 #include "refine/measure.h"
 #include "refine/report.h"
@@ -40,30 +41,6 @@ constexpr double leastRingSemiMinor = 3.8;
 // Outlines of an image that are read through a blur, at most. A picture that is out of focus has hundreds of them if it
 // is full of rings; with as many as this it takes two seconds and a family.
 constexpr std::size_t mostBlurred = 16;
-
-// From this blur on, standard deviation, pixels, its shape matters: that of a lens out of focus is a disc, and the
-// model's a Gaussian.
-constexpr double wideBlur = 1.2;
-// A fit may leave this much of the image's noise for no other reason than chance.
-constexpr double usualNoise = 1.03;
-// What the shape leaves goes the same way over so many pixels, in units of the blur's variance: the disc, twice the
-// standard deviation in radius, covers 4 pi of them, and its rim lies along the ring.
-constexpr double coherentArea = 20.;
-
-// Widens the covariance of a ring in a wide blur, whose edges are all of one kind: what neighbouring directions pull
-// differently is in it (coherence.cpp), what all of them leave alike is not. With a code it cancels: its edges face all
-// ways.
-void widenByShapeOfBlur(double noise, FittedPose &fit)
-{
-  // Where it is narrow: a motion's way is long, but what its shape leaves cancels between its two ends.
-  const BlurParameters &fitted = fit.photometry.blur;
-  const double blur = fitted.sigma * fitted.sigma / fitted.widest();
-  const double usual = usualNoise * noise;
-  if (blur > wideBlur && fit.noise > usual) {
-    const double share = 1. - usual * usual / (fit.noise * fit.noise);
-    fit.covariance *= 1. + share * coherentArea * blur * blur;
-  }
-}
 
 // The image fixes the poses up to the size: everything scales with it.
 void scaleTo(double size, PosePair &poses)
