@@ -78,6 +78,9 @@ public:
   /*!
     Takes the pixels that the memory has as they are sorted, if that serves at another pose; only the surround is judged
     again. If not, they have to be set again.
+    \param pixels : The pixels, those that the memory has.
+    \param plane, photometry : Pose, light and blur, known roughly.
+    \param noise : Standard deviation, grey levels.
     \param room : How far a fit may go from there, pixels.
   */
   bool keepPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const Photometry &photometry,
