@@ -145,6 +145,14 @@ TEST(DetectorBadPictures, Noise)
   });
 }
 
+// What is no noise in usual images is noise in this one, whose noise the detector knows.
+TEST(DetectorBadPictures, MuchNoise)
+{
+  expectFound(golay23, [](Random &, double, const vpImagePoint &, vpScenePhotometry &photometry, vpSceneMotion &) {
+    photometry.noiseSigma = 40.;
+  });
+}
+
 TEST(DetectorBadPictures, OverExposure)
 {
   expectFound(golay23, [](Random &, double, const vpImagePoint &, vpScenePhotometry &photometry, vpSceneMotion &) {

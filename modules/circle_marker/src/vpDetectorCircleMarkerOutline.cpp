@@ -42,6 +42,15 @@ constexpr double leastRingSemiMinor = 3.8;
 // is full of rings; with as many as this it takes two seconds and a family.
 constexpr std::size_t mostBlurred = 16;
 
+// Residuals larger than this, grey levels, are not noise; unless the image has so much, by which it is known to a half.
+constexpr double muchNoise = 32.;
+constexpr double mostOfNoise = 1.5;
+
+bool isNoise(double residuals, double noise)
+{
+  return residuals < std::max(muchNoise, mostOfNoise * noise);
+}
+
 // The image fixes the poses up to the size: everything scales with it.
 void scaleTo(double size, PosePair &poses)
 {
@@ -187,7 +196,7 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
   if (measurement && settings.refinePose && !isProofWanted) {
     measurement = withoutCover(visit, outline, *measurement, marker, bench);
   }
-  if (!measurement) {
+  if (!measurement || (settings.refinePose && !isNoise(measurement->first.noise, m_outlines.full.gradient.noise))) {
     return false;
   }
   if (isProofWanted) { // it may be another marker than was read

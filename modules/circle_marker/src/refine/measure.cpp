@@ -40,8 +40,6 @@ constexpr double leastCorrelationWithoutCode = 0.94;
 constexpr double leastCorrelationUnrefined = 0.6;
 // Share of the pixels that the model must explain.
 constexpr double leastInliers = 0.5;
-// Residuals larger than this, grey levels, are not noise, of which there are 20 at most.
-constexpr double mostNoise = 32.;
 // Two fits closer than this, in standard deviations, are one pose.
 constexpr double samePose = 0.3;
 
@@ -375,7 +373,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   const double refined = pattern.sectors > 0 ? leastCorrelation : leastCorrelationWithoutCode;
   const double least = refine ? refined : leastCorrelationUnrefined;
   const bool isExplained = fits[0].correlation >= least && fits[0].inliers >= leastInliers;
-  if (!isExplained || (refine && noise > mostNoise)) {
+  if (!isExplained) {
     return std::nullopt;
   }
   Measurement result;
