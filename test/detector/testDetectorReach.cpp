@@ -32,8 +32,9 @@ struct Sort
   double mostTilt;              //!< rad
   double leastGround;           //!< Least and most grey level of what is around their squares.
   double mostGround;
-  double floor;      //!< Share that is found at least.
-  double blur = 0.7; //!< Pixels.
+  double floor;        //!< Share that is found at least.
+  double blur = 0.7;   //!< Pixels.
+  double paper = 220.; //!< Grey level.
 };
 
 // Eight images of 24 markers each.
@@ -51,6 +52,7 @@ void expectReach(const Sort &sort)
     simulator.setBackground(vpSceneBackground::plain(uniform(random, sort.leastGround, sort.mostGround)));
     vpScenePhotometry photometry;
     photometry.blurSigma = sort.blur;
+    photometry.paper = sort.paper;
     simulator.setPhotometry(photometry);
     for (int i = 0; i < columns * rows; ++i) {
       const double u = width * (i % columns + 0.5) / columns + uniform(random, -5., 5.);
@@ -129,6 +131,24 @@ TEST(DetectorReach, LongCodesWhoseSectorsAreAsSmallAsTheBlur)
 TEST(DetectorReach, CodesOnGreyGround)
 {
   expectReach({vpCircleMarkerFamily::GOLAY23, 13., 17., 1.1, 80., 160., 0.97});
+}
+
+// The quiet zone is as wide as the blur: between the ring and the ground no outer edge is left, and the ring is found by
+// its dark line, from the edge of the sheet or from its own inside.
+TEST(DetectorReach, CodesOnDarkGround)
+{
+  expectReach({vpCircleMarkerFamily::GOLAY23, 13., 20., 0.9, 10., 50., 0.92, 0.9});
+}
+
+TEST(DetectorReach, LongCodesOnDarkGround)
+{
+  expectReach({vpCircleMarkerFamily::BCH31, 15., 22., 0.9, 10., 50., 0.97, 0.9});
+}
+
+// The ground is brighter than the paper: both edges are one slope.
+TEST(DetectorReach, CodesOnBrightGround)
+{
+  expectReach({vpCircleMarkerFamily::GOLAY23, 13., 20., 0.9, 225., 245., 0.93, 0.9, 140.});
 }
 
 // Each id has a size of its own; a first reading of so small a code is often another's.

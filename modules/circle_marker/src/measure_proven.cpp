@@ -29,7 +29,7 @@ namespace {
 // without doubt: the blur leaves their middle alone.
 constexpr double longSector = 1.6;
 // Those shorter than this are often not read for certain.
-constexpr double shortSector = 1.3;
+constexpr double shortSector = 1.4;
 // With a code that is not certain the ring alone must fit by this correlation, as it was found and when it is measured,
 // or no code will do.
 constexpr double leastCorrelationAtStart = 0.7;

@@ -106,7 +106,7 @@ SoughtCenters vpDetectorCircleMarker::Impl::soughtCenters() const
   sought.dark = std::any_of(settings.families.begin(), settings.families.end(), isDisc);
   sought.bright = !std::all_of(settings.families.begin(), settings.families.end(), isDisc);
   for (const vpCircleMarkerFamily &family : settings.families) {
-    if (family.getType() == vpCircleMarkerFamily::RING) {
+    if (family.getType() != vpCircleMarkerFamily::DISC) {
       sought.thinRing = std::max(sought.thinRing, family.getLayout().ringInner);
     }
   }

@@ -85,12 +85,12 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
     if (attempt.kind != ReadingKind::WHOLE) {
-      if (attempt.kind == ReadingKind::COVERED) {
+      if (attempt.kind == ReadingKind::COVERED && !outline.isByLine) {
         examination.marker = recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, family, settings.decode,
                                                      bench.measuring, visit.deadline);
       }
-      else if (mayProve && mayBeUncertain(outline.ellipse, family)) {
-        examination.marker = recogniseUncertain(visit.I, visit.camera, *poses, family);
+      else if (attempt.kind == ReadingKind::UNCERTAIN && mayProve && mayBeUncertain(outline.ellipse, family)) {
+        examination.marker = recogniseUncertain(visit.I, visit.camera, *poses, outline, family);
       }
       if (examination.marker && keepsDebug) {
         std::vector<vpCircleMarkerCandidate> &candidates = examination.candidates; // it is none as a whole marker only
@@ -121,7 +121,7 @@ void vpDetectorCircleMarker::Impl::allowBlurred(const Visit &visit, const Outlin
                                    [](const vpCircleMarkerFamily &family) { return family.isCoded(); });
   std::size_t allowed = 0;
   for (std::size_t i = 0; isAsked && i < outlines.size() && allowed < mostBlurred && !visit.deadline.hasPassed(); ++i) {
-    m_examinations[i].mayBeBlurred = looksBlurred(visit.I, outlines[i].ellipse);
+    m_examinations[i].mayBeBlurred = !outlines[i].isByLine && looksBlurred(visit.I, outlines[i].ellipse);
     allowed += m_examinations[i].mayBeBlurred ? 1 : 0;
   }
 }

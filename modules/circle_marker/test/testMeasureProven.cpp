@@ -172,7 +172,7 @@ TEST(MeasureProven, SmallSectorsWantIt)
   EXPECT_FALSE(mayBeUncertain(outline, family));
   outline.b = 1.61 * perLength;
   EXPECT_FALSE(wantsProof(outline, family));
-  outline.b = 1.29 * perLength;
+  outline.b = 1.39 * perLength;
   EXPECT_TRUE(mayBeUncertain(outline, family));
   EXPECT_FALSE(wantsProof(outline, vpCircleMarkerFamily(vpCircleMarkerFamily::RING))) << "there is nothing to prove";
 }

@@ -221,9 +221,11 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
 }
 
 std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                              const PosePair &poses, const vpCircleMarkerFamily &family)
+                                              const PosePair &poses, const EllipseCandidate &outline,
+                                              const vpCircleMarkerFamily &family)
 {
-  if (!hasDarkRing(I, camera, poses[0])) {
+  // What was found by its dark line has one.
+  if (!outline.isByLine && !hasDarkRing(I, camera, poses[0])) {
     return std::nullopt;
   }
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};

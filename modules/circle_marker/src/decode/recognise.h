@@ -74,7 +74,8 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
   is measured. Nothing if no dark ring shows all around, or the track is not made of sectors.
 */
 std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                              const PosePair &poses, const vpCircleMarkerFamily &family);
+                                              const PosePair &poses, const EllipseCandidate &outline,
+                                              const vpCircleMarkerFamily &family);
 
 /*!
   The ring of a marker of a family with a code, of which something covers a part: a plain ring with what is seen of it,

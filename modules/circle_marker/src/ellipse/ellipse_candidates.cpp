@@ -38,6 +38,11 @@ constexpr std::size_t longestBlob = 38;
 // Longer closed edges are not the inside of a ring that is too thin to have an outer edge: one of 22 pixels at 60
 // degrees has 100 around its inside.
 constexpr std::size_t longestThinRing = 100;
+// Nor is one longer than this the edge of its sheet.
+constexpr std::size_t longestThinSheet = 150;
+// 4 pi times the area that either encloses, of the square of its length in pixels: more than 0.6 of an ellipse or a sheet
+// at 75 degrees, and the steps along diagonals are not counted longer.
+constexpr double leastRoundness = 0.5;
 // No outline inside of the image is longer than the image's own: longer closed chains are something else.
 constexpr std::size_t longestOutline = 2;
 
@@ -97,7 +102,9 @@ bool KnownOutlines::take(EllipseCandidate &candidate)
   const bool isNew = number < 0;
   if (!isNew) {
     EllipseCandidate &known = outlines[static_cast<std::size_t>(number)];
-    if (candidate.support <= known.support) {
+    const bool isBetter =
+        candidate.isByLine == known.isByLine ? candidate.support > known.support : !candidate.isByLine;
+    if (!isBetter) {
       return false;
     }
     std::swap(known, candidate);
@@ -253,8 +260,8 @@ struct Search
       return refuse(bench, index, EllipseReject::TIMEOUT);
     }
     const EdgeChain &chain = chains.chains[index];
-    if (sought.thinRing > 0. && memory.left[index] == brightInside && chain.length() <= longestThinRing) {
-      return thinRing(index, bench);
+    if (sought.thinRing > 0. && chain.closed && chain.length() <= longestThinSheet && thinRing(index, bench)) {
+      return;
     }
     if (mostTurn(gradient, chains, chain) < leastArcTurn) {
       return refuse(bench, index,
@@ -280,18 +287,43 @@ struct Search
     }
   }
 
-  // The closed edge of something bright may be the inside of a ring whose outer edge does not show.
-  void thinRing(std::size_t index, EllipseMemory::Bench &bench) const
+  // The closed edge of something bright may be the inside of a ring whose outer edge does not show, and any closed edge
+  // that of its sheet. Whether it is one, or leads to an outline that is known.
+  bool thinRing(std::size_t index, EllipseMemory::Bench &bench) const
   {
-    bench.points.clear();
-    locateChain(gradient, chains, chains.chains[index], bench.points);
-    if (bench.points.size() < fewestPoints) {
-      return refuse(bench, index, EllipseReject::TOO_SHORT);
+    const EdgeChain &chain = chains.chains[index];
+    const double length = static_cast<double>(chain.length());
+    const double area = 0.5 * std::abs(static_cast<double>(doubledPixelArea(chains, chain)));
+    if (4. * M_PI * area < leastRoundness * length * length) {
+      return false;
     }
+    const EdgePixel *pixels = &chains.pixels[chain.begin];
+    const double rise = riseBesideLine(gradient);
+    const bool mayBeInside = memory.left[index] == brightInside && chain.length() <= longestThinRing;
+    bool isLocated = false;
+    for (const RingNeighbour neighbour : {RingNeighbour::INSIDE, RingNeighbour::SHEET}) {
+      if ((neighbour == RingNeighbour::INSIDE && !mayBeInside) ||
+          !mayHaveDarkLineBeside(I, pixels, chain.length(), neighbour, rise)) {
+        continue;
+      }
+      if (!isLocated) {
+        bench.points.clear();
+        locateChain(gradient, chains, chain, bench.points);
+        isLocated = true;
+      }
+      if (bench.points.size() >= fewestPoints && proposeThinRing(index, neighbour, bench)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool proposeThinRing(std::size_t index, RingNeighbour neighbour, EllipseMemory::Bench &bench) const
+  {
     EllipseMemory::Proposal &proposal = bench.proposals.append();
     proposal.chain = index;
     proposal.candidate.ellipse = EllipseParameters();
-    EllipseReject reason = bench.fitter.fitThinRing(I, gradient, bench.points.data(), bench.points.size(),
+    EllipseReject reason = bench.fitter.fitThinRing(I, gradient, bench.points.data(), bench.points.size(), neighbour,
                                                     sought.thinRing, proposal.candidate);
     // By its outer edge it is known better.
     if (reason == EllipseReject::NONE && memory.known.hasSame(proposal.candidate.ellipse)) {
@@ -301,6 +333,7 @@ struct Search
       refuse(bench, index, bench.points.data(), bench.points.size(), reason, proposal.candidate.ellipse);
       bench.proposals.removeLast();
     }
+    return reason == EllipseReject::NONE || reason == EllipseReject::KNOWN_OUTLINE;
   }
 
   // Keeps what was proposed, in the order of the chains: that does not depend on which thread had which chain.

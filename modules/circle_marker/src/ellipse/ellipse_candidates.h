@@ -40,7 +40,8 @@ public:
   void reset(int width, int height);
 
   /*!
-    Keeps an outline, whose memory is swapped in, or drops it: of two that are the same the better supported stays.
+    Keeps an outline, whose memory is swapped in, or drops it: of two that are the same the better supported stays,
+    and one that was found by its edge before one that was found by its dark line.
     \return Whether it was new; if not, \e candidate is what was dropped.
   */
   bool take(EllipseCandidate &candidate);

@@ -63,6 +63,8 @@ constexpr double leastRise = 1.;
 constexpr double riseOfNoise = 0.7;
 // Share of a thin ring's inner edge beyond which a dark line must be seen.
 constexpr double leastDarkLine = 0.75;
+// And share that is left when what does not fit is taken away.
+constexpr double leastDarkLineOfMost = 0.6;
 // Semi-minor axes of the outlines that are sought by their dark line, pixels: of smaller rings too little is left, of
 // larger ones the outer edge shows, even on dark ground in a blur of 1.1.
 constexpr double leastThinRing = 3.7;
@@ -97,33 +99,17 @@ void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double
   candidate.support = static_cast<double>(candidate.points.size()) / samples;
 }
 
-// The first dark line along a direction from an edge to its dark side, by a parabola through three samples; beyond it
-// the image is brighter by \e rise again, grey levels.
-std::optional<Eigen::Vector2d> firstDarkLine(const vpImage<unsigned char> &I, const Eigen::Vector2d &from,
-                                             const Eigen::Vector2d &direction, double rise)
+// Takes away the points that lie far from the ellipse.
+void keepNear(EllipseCandidate &candidate)
 {
-  constexpr double step = 0.5; // pixel
-  constexpr int steps = 8;     // to 4 pixels: the line of the largest ring that is sought this way is 1.4 wide
-  std::array<double, steps + 1> greys;
-  std::size_t darkest = 0;
-  for (std::size_t i = 0; i < greys.size(); ++i) {
-    const auto grey = bilinear(I, from + static_cast<double>(i) * step * direction);
-    if (!grey) {
-      return std::nullopt;
-    }
-    greys[i] = *grey;
-    if (*grey < greys[darkest]) {
-      darkest = i;
-    }
-    else if (*grey > greys[darkest] + rise && darkest > 0) {
-      const double curvature = greys[darkest - 1] - 2. * greys[darkest] + greys[darkest + 1];
-      const double offset = curvature > 0. ? 0.5 * (greys[darkest - 1] - greys[darkest + 1]) / curvature : 0.;
-      return from + (static_cast<double>(darkest) + offset) * step * direction;
-    }
-  }
-  return std::nullopt;
+  std::vector<EdgePoint> &points = candidate.points;
+  const double bound = 2. * fitToleranceOf(candidate.ellipse);
+  const auto end = std::remove_if(points.begin(), points.end(), [&](const EdgePoint &point) {
+    return std::abs(sampsonDistance(candidate.conic, point.position)) > bound;
+  });
+  candidate.support *= static_cast<double>(end - points.begin()) / static_cast<double>(points.size());
+  points.erase(end, points.end());
 }
-
 } // namespace
 
 double fitToleranceOf(const EllipseParameters &ellipse)
@@ -131,10 +117,16 @@ double fitToleranceOf(const EllipseParameters &ellipse)
   return fitTolerance + fitToleranceOfSize * ellipse.a;
 }
 
+double riseBesideLine(const Gradient &gradient)
+{
+  return std::max(leastRise, riseOfNoise * gradient.noise);
+}
+
 EllipseReject OutlineFitter::fit(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
                                  std::size_t count, bool isWhole, const SoughtCenters &sought,
                                  EllipseCandidate &candidate)
 {
+  candidate.isByLine = false;
   // A whole outline is fitted well enough at once; an arc's direct fit is too small.
   if (!fitPoints(points, count, candidate, isWhole ? directFit : roughFit) ||
       candidate.ellipse.a > I.getWidth() + I.getHeight()) {
@@ -157,22 +149,13 @@ EllipseReject OutlineFitter::fit(const vpImage<unsigned char> &I, const Gradient
 }
 
 EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const Gradient &gradient,
-                                         const EdgePoint *points, std::size_t count, double ringInner,
-                                         EllipseCandidate &candidate)
+                                         const EdgePoint *points, std::size_t count, RingNeighbour neighbour,
+                                         double ringInner, EllipseCandidate &candidate)
 {
-  candidate.points.clear();
+  candidate.isByLine = true;
   candidate.points.reserve(mostSamples);
-  const std::size_t stride = 1 + count / mostSamples;
-  const double rise = std::max(leastRise, riseOfNoise * gradient.noise);
-  std::size_t asked = 0;
-  for (std::size_t i = 0; i < count; i += stride) {
-    ++asked;
-    const Eigen::Vector2d outward = -points[i].normal();
-    if (const auto position = firstDarkLine(I, points[i].position, outward, rise)) {
-      candidate.points.push_back({*position, outward});
-    }
-  }
-  candidate.support = static_cast<double>(candidate.points.size()) / static_cast<double>(asked);
+  const double rise = riseBesideLine(gradient);
+  candidate.support = darkLineBeside(I, points, count, neighbour, rise, mostFirstSamples, candidate.points);
   if (candidate.support < leastDarkLine) {
     return EllipseReject::BRIGHT_INSIDE;
   }
@@ -181,7 +164,15 @@ EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const 
   }
   if (rootMeanSquareDistance(candidate, candidate.points.data(), candidate.points.size()) >
       fitToleranceOf(candidate.ellipse)) {
-    return EllipseReject::BAD_FIT;
+    // From the sheet, here and there the ring is missed.
+    if (neighbour == RingNeighbour::INSIDE ||
+        !fitMost(candidate.points.data(), candidate.points.size(), candidate)) {
+      return EllipseReject::BAD_FIT;
+    }
+    keepNear(candidate);
+    if (candidate.support < leastDarkLineOfMost) {
+      return EllipseReject::BAD_FIT;
+    }
   }
   const double scale = 2. / (1. + ringInner); // from the middle of the ring to its outside
   EllipseParameters &ellipse = candidate.ellipse;
@@ -202,6 +193,7 @@ EllipseReject OutlineFitter::follow(const vpImage<unsigned char> &I, const Gradi
                                     const EllipseParameters &expected, const SoughtCenters &sought,
                                     EllipseCandidate &candidate)
 {
+  candidate.isByLine = false;
   candidate.ellipse = expected;
   candidate.conic = conicFromEllipse(expected);
   return complete(I, gradient, sought, candidate);

@@ -24,6 +24,7 @@
 #include <visp3/circle_marker/vpCircleMarkerReject.h>
 #include <visp3/core/vpImage.h>
 
+#include "ellipse/dark_line.h"
 #include "ellipse/ellipse_candidate.h"
 
 BEGIN_VISP_NAMESPACE
@@ -53,12 +54,13 @@ public:
     between them, halfway between the two radii.
     \param I : The image.
     \param gradient : Its gradient.
-    \param points, count : The closed edge of the bright inside.
+    \param points, count : The closed edge of what lies beside the ring.
+    \param neighbour : Of what.
     \param ringInner : Inner radius of the ring, of the outer one.
     \param candidate : The outline, if the result is EllipseReject::NONE; undefined otherwise.
   */
   EllipseReject fitThinRing(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
-                            std::size_t count, double ringInner, EllipseCandidate &candidate);
+                            std::size_t count, RingNeighbour neighbour, double ringInner, EllipseCandidate &candidate);
 
   /*!
     The outline of a marker that was seen in the image before.
@@ -83,6 +85,9 @@ private:
   std::vector<double> m_sorted;             //!< The same in another order.
   std::vector<EdgePoint> m_kept;            //!< What is left of an outline without a piece of something else.
 };
+
+/*! By how much a thin ring's dark line must differ from what is beside it, grey levels. */
+double riseBesideLine(const Gradient &gradient);
 
 /*! Root-mean-square distance that points may have from their ellipse, pixels. */
 double fitToleranceOf(const EllipseParameters &ellipse);
