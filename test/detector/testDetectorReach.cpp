@@ -133,8 +133,8 @@ TEST(DetectorReach, CodesOnGreyGround)
   expectReach({vpCircleMarkerFamily::GOLAY23, 13., 17., 1.1, 80., 160., 0.97});
 }
 
-// The quiet zone is as wide as the blur: between the ring and the ground no outer edge is left, and the ring is found by
-// its dark line, from the edge of the sheet or from its own inside.
+// The quiet zone is as wide as the blur: between the ring and the ground no outer edge is left, and the ring is found
+// by its dark line, from the edge of the sheet or from its own inside.
 TEST(DetectorReach, CodesOnDarkGround)
 {
   expectReach({vpCircleMarkerFamily::GOLAY23, 13., 20., 0.9, 10., 50., 0.92, 0.9});

@@ -64,8 +64,8 @@ std::vector<EdgePoint> sheetOf(const MarkerScene &scene)
   return points;
 }
 
-// Of a line on the ring's middle all points are 0.9 radii from the centre; what lies beside it pulls at a line as wide as
-// the blur.
+// Of a line on the ring's middle all points are 0.9 radii from the centre; what lies beside it pulls at a line as wide
+// as the blur.
 void expectMiddleOfRing(const MarkerScene &scene, const std::vector<EdgePoint> &line)
 {
   const double pixel = scene.center.z() / (scene.focal * scene.radius) / std::abs(scene.rotation(2, 2));

@@ -27,8 +27,8 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
 constexpr double step = 0.5; // pixel
-// How far from its inner edge the line is sought, pixels: that of the largest ring that is sought this way is 1.4 wide, and
-// the edge lies up to a blur inside of it.
+// How far from its inner edge the line is sought, pixels: that of the largest ring that is sought this way is 1.4 wide,
+// and the edge lies up to a blur inside of it.
 constexpr double inReach = 4.;
 // The middle of the ring lies at 0.77 of the way from the sheet's centre to a side, at 0.55 of that to a corner.
 constexpr double sheetReach = 0.55;
@@ -37,8 +37,8 @@ constexpr std::size_t mostSteps = 40; // 20 pixels
 constexpr std::size_t fewDirections = 12;
 constexpr double leastInFew = 0.55;
 
-// The first dark line along a ray: darker by \e rise than what is brightest before it, and than what follows. The ray may
-// begin on a slope either way.
+// The first dark line along a ray: darker by \e rise than what is brightest before it, and than what follows. The ray
+// may begin on a slope either way.
 std::optional<Eigen::Vector2d> firstDarkLine(const vpImage<unsigned char> &I, const Eigen::Vector2d &from,
                                              const Eigen::Vector2d &direction, double reach, double rise)
 {

@@ -40,8 +40,8 @@ enum class RingNeighbour
 };
 
 /*!
-  Follows the directions from a closed edge to the first dark line on the way to the ring, from the white inside away from
-  it, from the sheet towards its middle; to a fraction of a pixel by a parabola through three samples.
+  Follows the directions from a closed edge to the first dark line on the way to the ring, from the white inside away
+  from it, from the sheet towards its middle; to a fraction of a pixel by a parabola through three samples.
   \param I : The image.
   \param points, count : The closed edge.
   \param neighbour : What it is the edge of.
@@ -53,7 +53,9 @@ enum class RingNeighbour
 double darkLineBeside(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count,
                       RingNeighbour neighbour, double rise, std::size_t most, std::vector<EdgePoint> &line);
 
-/*! A first look at a few directions from the middle of a closed chain of pixels: most of what is no ring shows it there. */
+/*!
+  A first look at a few directions from the middle of a closed chain of pixels: most of what is no ring shows it there.
+*/
 bool mayHaveDarkLineBeside(const vpImage<unsigned char> &I, const EdgePixel *pixels, std::size_t count,
                            RingNeighbour neighbour, double rise);
 } // namespace circle_marker

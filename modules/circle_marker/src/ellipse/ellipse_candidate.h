@@ -48,7 +48,7 @@ struct EllipseCandidate
   std::vector<EdgePoint> points;                   //!< Along the ellipse, at most about one a pixel.
   double support = 0.;                             //!< Share of the ellipse along which an edge was found, in [0, 1].
   double contrast = 0.;                            //!< Median step from the dark band to the outside, grey levels.
-  bool isByLine = false;                           //!< Whether it was found by a thin ring's dark line, not by its edge.
+  bool isByLine = false;                           //!< Whether a thin ring's dark line was found, not its edge.
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -40,8 +40,8 @@ constexpr std::size_t longestBlob = 38;
 constexpr std::size_t longestThinRing = 100;
 // Nor is one longer than this the edge of its sheet.
 constexpr std::size_t longestThinSheet = 150;
-// 4 pi times the area that either encloses, of the square of its length in pixels: more than 0.6 of an ellipse or a sheet
-// at 75 degrees, and the steps along diagonals are not counted longer.
+// 4 pi times the area that either encloses, of the square of its length in pixels: more than 0.6 of an ellipse or a
+// sheet at 75 degrees, and the steps along diagonals are not counted longer.
 constexpr double leastRoundness = 0.5;
 // No outline inside of the image is longer than the image's own: longer closed chains are something else.
 constexpr std::size_t longestOutline = 2;
