@@ -45,6 +45,8 @@ public:
   SheetSamples(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane, double outermost)
       : m_outermost(outermost)
   {
+    const double middle = 0.5 * (sampleExtents.front() + sampleExtents.back());
+    double outward = 0.; // how much brighter it becomes that way
     for (unsigned int k = 0; k < Surround::directions; ++k) {
       const double direction = 2. * M_PI * k / Surround::directions;
       for (const double extent : sampleExtents) {
@@ -54,14 +56,17 @@ public:
           const ModelPixel pixel = {camera.toMeter(p), camera.meterPerPixel(p)};
           m_samples[m_count++] = {planePoint(pixel, plane), *grey};
           m_mean += *grey;
+          outward += (extent - middle) * *grey;
         }
       }
     }
     m_mean /= std::max(static_cast<double>(m_count), 1.);
+    m_sign = outward > 0. ? -1. : 1.;
   }
 
-  // How much of the samples' variance a square at this angle explains, dark beyond its sides: its square root, times
-  // a constant.
+  // How much of the samples' variance a square at this angle explains, beyond whose sides lies what is seen farther
+  // out, darker or brighter: its square root, times a constant. A square that is off by 45 degrees explains as much with
+  // the other sign.
   double score(double angle, double blur) const
   {
     PaperEnd paper;
@@ -73,7 +78,7 @@ public:
       const double share = shareBeyond(m_samples[i].point, paper, blur);
       sum += share;
       squares += share * share;
-      product += share * (m_mean - m_samples[i].grey);
+      product += m_sign * share * (m_mean - m_samples[i].grey);
     }
     const double variance = squares - sum * sum / static_cast<double>(m_count);
     return variance > 0. ? product / std::sqrt(variance) : 0.;
@@ -88,6 +93,7 @@ private:
   std::array<Sample, Surround::directions * sampleExtents.size()> m_samples;
   std::size_t m_count = 0;
   double m_mean = 0.;
+  double m_sign = 1.; // -1 where the ground is brighter than the paper
   double m_outermost;
 };
 } // namespace

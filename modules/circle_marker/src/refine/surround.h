@@ -69,7 +69,8 @@ double shareBeyond(const PlanePoint &point, const PaperEnd &paper, double blur);
 
 /*!
   Angle of the square sheet around a marker whose frame does not tell it, up to quarter turns: the one at which a square
-  that is darker outside explains most of the image. Anything if the paper goes on, where it does not matter.
+  on ground that is darker or brighter explains most of the image. Anything if the paper goes on, where it does not
+  matter.
   \param I, camera, plane : As above.
   \param outermost : Half of the square's width, in units of the outer radius.
   \param blur : Standard deviation of the blur, pixels.
