@@ -19,9 +19,16 @@
 
 find_package(Doxygen QUIET)
 find_program(BIBTEX_PROGRAM bibtex)
-mark_as_advanced(BIBTEX_PROGRAM)
-if(NOT DOXYGEN_FOUND OR NOT BIBTEX_PROGRAM)
-  message(STATUS "The target doc is left out: it needs Doxygen and bibtex "
+find_program(KPSEWHICH_PROGRAM kpsewhich)
+mark_as_advanced(BIBTEX_PROGRAM KPSEWHICH_PROGRAM)
+# Without the configuration that texlive-base has, Debian's bibtex finds no file, not even beside it.
+set(bibtex_works ${BIBTEX_PROGRAM})
+if(BIBTEX_PROGRAM AND KPSEWHICH_PROGRAM)
+  execute_process(COMMAND ${KPSEWHICH_PROGRAM} -var-value BIBINPUTS OUTPUT_VARIABLE bibtex_works ERROR_QUIET
+                  OUTPUT_STRIP_TRAILING_WHITESPACE)
+endif()
+if(NOT DOXYGEN_FOUND OR bibtex_works MATCHES "^$|NOTFOUND$")
+  message(STATUS "The target doc is left out: it needs Doxygen and a bibtex that works "
                  "(bash cmake/install-packages.sh doc)")
   return()
 endif()

@@ -33,9 +33,10 @@ for use in "$@"; do
     test) packages+=(libgtest-dev poppler-utils librsvg2-bin visp-images-data xvfb xauth xdotool dpkg-dev file
                      help2man) ;;
     # To unpack and build ViSP's own source and documentation.
-    in-tree) packages+=(dpkg-dev ca-certificates ccache doxygen texlive-binaries) ;;
-    # The documentation: Doxygen, bibtex for its references, MathJax for its formulas.
-    doc) packages+=(doxygen texlive-binaries libjs-mathjax) ;;
+    in-tree) packages+=(dpkg-dev ca-certificates ccache doxygen texlive-binaries texlive-base) ;;
+    # The documentation: Doxygen, bibtex for its references and the configuration without which it finds no file, MathJax
+    # for its formulas.
+    doc) packages+=(doxygen texlive-binaries texlive-base libjs-mathjax) ;;
     *) echo "install-packages.sh: unknown use $use; known: build, test, in-tree, doc" >&2; exit 2 ;;
   esac
 done
