@@ -108,8 +108,9 @@ TEST(DetectorReach, RingsAtTheImagesBorder)
     vpMarkerSceneSimulator simulator(straightCamera(), width, height);
     const double diameter = uniform(random, 60., 250.);
     const double v = height - 0.5 * diameter - uniform(random, 1.5, 0.07 * diameter); // the quiet zone has a twelfth
-    simulator.addMarker(printed(family, -1).setPose(
-        randomPose(random, diameter, uniform(random, 0., 0.1), uniform(random, 0.4, 0.6) * width, v)));
+    simulator.addMarker(
+        printed(family, -1)
+            .setPose(randomPose(random, diameter, uniform(random, 0., 0.1), uniform(random, 0.4, 0.6) * width, v)));
     vpImage<unsigned char> I;
     simulator.render(I, random());
     EXPECT_TRUE(detector.detect(I)) << "image " << image << ", diameter " << diameter << " pixels";

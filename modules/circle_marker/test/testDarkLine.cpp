@@ -124,8 +124,8 @@ TEST(DarkLine, TheFirstLookSeesIt)
     for (const RingNeighbour neighbour : {RingNeighbour::INSIDE, RingNeighbour::SHEET}) {
       std::vector<EdgePixel> pixels;
       for (const EdgePoint &point : neighbour == RingNeighbour::INSIDE ? insideOf(scene) : sheetOf(scene)) {
-        pixels.push_back({static_cast<short>(std::lround(point.position.x())),
-                          static_cast<short>(std::lround(point.position.y()))});
+        pixels.push_back(
+            {static_cast<short>(std::lround(point.position.x())), static_cast<short>(std::lround(point.position.y()))});
       }
       EXPECT_TRUE(mayHaveDarkLineBeside(I, pixels.data(), pixels.size(), neighbour, rise));
     }

@@ -26,20 +26,6 @@ using namespace room_test;
 namespace {
 constexpr unsigned int side = 150;
 
-double tiltOf(const MarkerPlane &plane)
-{
-  return std::acos(std::min(1., plane.rotation.col(2).dot(plane.center.normalized())));
-}
-
-//! The pose with the same outline, nearly: the normal on the other side of the line of sight.
-MarkerPlane twinOf(const MarkerPlane &plane)
-{
-  MarkerPlane twin = plane;
-  const Eigen::Vector3d sight = plane.center.normalized();
-  twin.rotation = turn(-2. * tiltOf(plane), sight.cross(plane.rotation.col(2))) * plane.rotation;
-  return twin;
-}
-
 Recognition recognised(const MarkerScene &scene, int id, bool twinFirst)
 {
   Recognition marker;

@@ -46,11 +46,7 @@ Recognition recognisedAs(const MarkerScene &scene, int id, int sectors, bool isC
   marker.isCertain = isCertain;
   MarkerPlane plane = scene.plane();
   plane.spin(2. * M_PI * sectors / scene.family.getNbSectors());
-  const Eigen::Vector3d sight = plane.center.normalized();
-  const double tilt = std::acos(std::min(1., plane.rotation.col(2).dot(sight)));
-  MarkerPlane mirrored = plane;
-  mirrored.rotation = turn(-2. * tilt, sight.cross(plane.rotation.col(2))) * plane.rotation;
-  marker.poses = {plane, mirrored};
+  marker.poses = {plane, twinOf(plane)};
   return marker;
 }
 

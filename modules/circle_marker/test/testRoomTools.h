@@ -245,6 +245,21 @@ inline Eigen::Matrix3d turn(double angle, const Eigen::Vector3d &axis)
   return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
 }
 
+//! The angle between the normal and the line of sight.
+inline double tiltOf(const circle_marker::MarkerPlane &plane)
+{
+  return std::acos(std::min(1., plane.rotation.col(2).dot(plane.center.normalized())));
+}
+
+//! The pose with the same outline, nearly: the normal on the other side of the line of sight.
+inline circle_marker::MarkerPlane twinOf(const circle_marker::MarkerPlane &plane)
+{
+  circle_marker::MarkerPlane twin = plane;
+  const Eigen::Vector3d sight = plane.center.normalized();
+  twin.rotation = turn(-2. * tiltOf(plane), sight.cross(plane.rotation.col(2))) * plane.rotation;
+  return twin;
+}
+
 /*!
   A marker near the middle of a square image.
   \e diameter: Of its ring in the image if it were seen frontally, pixels.

@@ -71,7 +71,8 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
 
 /*!
   A marker whose code could not be read for certain: with the codeword that agrees best, which has to be proven once it
-  is measured. Nothing if no dark ring shows all around, or the track is not made of sectors.
+  is measured. Nothing if the track is not made of sectors, or no dark ring shows all around an outline that was not
+  found by its dark line.
 */
 std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
                                               const PosePair &poses, const EllipseCandidate &outline,

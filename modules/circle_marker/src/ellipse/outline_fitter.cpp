@@ -165,8 +165,7 @@ EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const 
   if (rootMeanSquareDistance(candidate, candidate.points.data(), candidate.points.size()) >
       fitToleranceOf(candidate.ellipse)) {
     // From the sheet, here and there the ring is missed.
-    if (neighbour == RingNeighbour::INSIDE ||
-        !fitMost(candidate.points.data(), candidate.points.size(), candidate)) {
+    if (neighbour == RingNeighbour::INSIDE || !fitMost(candidate.points.data(), candidate.points.size(), candidate)) {
       return EllipseReject::BAD_FIT;
     }
     keepNear(candidate);

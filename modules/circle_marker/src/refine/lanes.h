@@ -109,8 +109,8 @@ inline LaneList lanesBelow(const Lanes &value, float bound)
 {
   LaneList list;
 #ifdef CIRCLE_MARKER_WIDE_LANES
-  const auto set = static_cast<unsigned int>(
-      _mm256_movemask_ps(_mm256_cmp_ps(value.value(), _mm256_set1_ps(bound), _CMP_LT_OQ)));
+  const auto set =
+      static_cast<unsigned int>(_mm256_movemask_ps(_mm256_cmp_ps(value.value(), _mm256_set1_ps(bound), _CMP_LT_OQ)));
   std::memcpy(list.lanes.data(), &laneLists.lists[set], sizeof(list.lanes)); // AVX is little-endian
   list.count = laneLists.counts[set];
 #else

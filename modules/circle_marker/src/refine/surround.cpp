@@ -65,8 +65,8 @@ public:
   }
 
   // How much of the samples' variance a square at this angle explains, beyond whose sides lies what is seen farther
-  // out, darker or brighter: its square root, times a constant. A square that is off by 45 degrees explains as much with
-  // the other sign.
+  // out, darker or brighter: its square root, times a constant. A square that is off by 45 degrees explains as much
+  // with the other sign.
   double score(double angle, double blur) const
   {
     PaperEnd paper;
