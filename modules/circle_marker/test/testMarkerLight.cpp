@@ -26,6 +26,9 @@
 #include "decode/code_track.h"
 #include "testRandom.h"
 
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
 using namespace circle_marker;
 using namespace random_test;
 
