@@ -1,0 +1,144 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Tests of what is said of a marker that was read as a whole one.
+ */
+
+#include "detect_covered.h"
+
+#include <gtest/gtest.h>
+
+#include "testRoomTools.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr unsigned int side = 120;
+constexpr double blur = 0.7;
+constexpr double noise = 2.;
+const vpCircleMarkerFamily golay23(vpCircleMarkerFamily::GOLAY23);
+
+Recognition recognisedAs(const MarkerScene &scene, int id, unsigned int hamming)
+{
+  Recognition marker;
+  marker.family = scene.family;
+  marker.code.id = id;
+  marker.code.hamming = hamming;
+  marker.ringInner = scene.family.getLayout().ringInner;
+  marker.poses = {scene.plane(), twinOf(scene.plane())};
+  return marker;
+}
+
+// What is said of a marker that was read with some corrections, and whose outline is found but for a part.
+WholeVerdict verdictOn(const vpImage<unsigned char> &I, const MarkerScene &scene, const Recognition &marker,
+                       double support = 1.)
+{
+  MeasureMemory memory;
+  const CameraModel camera(scene.camera());
+  const auto measurement = measure(I, camera, marker, true, memory);
+  EXPECT_TRUE(measurement);
+  return measurement ? judgeWhole(I, camera, noise, support, marker, *measurement, memory) : WholeVerdict::WRONG;
+}
+
+// A marker with something grey in front of it, between two vertical edges.
+struct CoveredScene
+{
+  MarkerScene marker;
+  double from; // pixels
+  double to;
+  double operator()(double u, double v) const { return u >= from && u < to ? 90. : marker(u, v); }
+};
+} // namespace
+
+TEST(DetectCovered, WhatShowsItsCodewordIsRight)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene scene = markerScene(random, golay23, i, uniform(random, 50., 80.), uniform(random, 0., 1.), side);
+    const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), noise, random);
+    EXPECT_EQ(verdictOn(I, scene, recognisedAs(scene, i, 0)), WholeVerdict::RIGHT) << i;
+    EXPECT_EQ(verdictOn(I, scene, recognisedAs(scene, i, 1), 0.5), WholeVerdict::RIGHT) << i << " with a doubt";
+  }
+}
+
+TEST(DetectCovered, AnotherCodewordIsNotRight)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene scene = markerScene(random, golay23, i, uniform(random, 50., 80.), uniform(random, 0., 1.), side);
+    const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), noise, random);
+    MeasureMemory memory;
+    const CameraModel camera(scene.camera());
+    // At the true pose: with another codeword the measurement would not end there.
+    const auto measurement = measure(I, camera, recognisedAs(scene, i, 0), true, memory);
+    ASSERT_TRUE(measurement);
+    EXPECT_NE(judgeWhole(I, camera, noise, 1., recognisedAs(scene, i + 20, 3), *measurement, memory),
+              WholeVerdict::RIGHT)
+        << i;
+  }
+}
+
+TEST(DetectCovered, WhatIsInFrontOfItIsSeen)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene scene = markerScene(random, golay23, i, uniform(random, 60., 80.), uniform(random, 0., 0.5), side);
+    const CoveredScene covered{scene, 0.5 * side - 22., 0.5 * side - 6.};
+    const vpImage<unsigned char> I = digitise(expose(side, side, blur, covered), noise, random);
+    EXPECT_NE(verdictOn(I, scene, recognisedAs(scene, i, 0), 0.7), WholeVerdict::RIGHT) << i;
+  }
+}
+
+// A marker of the contrast of a shadow's penumbra is one as long as the noise is all that is left; where something else
+// has ripples of about the noise, it is not what was printed.
+TEST(DetectCovered, FaintOnesLeaveNoMoreThanNoise)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 10; ++i) {
+    MarkerScene scene = markerScene(random, golay23, i, uniform(random, 50., 80.), uniform(random, 0., 0.7), side);
+    scene.white = 70.;
+    scene.black = 58.;
+    const vpImage<double> exposed = expose(side, side, blur, scene);
+    EXPECT_EQ(verdictOn(digitise(exposed, noise, random), scene, recognisedAs(scene, i, 0)), WholeVerdict::RIGHT) << i;
+
+    vpImage<double> rippled = exposed;
+    for (unsigned int v = 0; v < side; ++v) {
+      for (unsigned int u = 0; u < side; ++u) {
+        rippled[v][u] += 2.2 * std::sin(1.9 * u) * std::sin(2.1 * v) * M_SQRT2;
+      }
+    }
+    EXPECT_EQ(verdictOn(digitise(rippled, noise, random), scene, recognisedAs(scene, i, 0)), WholeVerdict::WRONG) << i;
+  }
+}
+
+// Of an outer edge that is seen in all directions all is visible; of one behind a half plane the angle in front of it.
+TEST(DetectCovered, VisibleEdgeIsTheShareOfItsDirections)
+{
+  Random random = randomOfTest();
+  const double diameter = 70.;
+  for (const double distance : {-40., 0., 20.}) { // of the edge from the centre, pixels
+    const MarkerScene scene = markerScene(random, golay23, 7, diameter, 0., side);
+    const CoveredScene covered{scene, 0. - side, 0.5 * side + distance};
+    const vpImage<unsigned char> I = digitise(expose(side, side, blur, covered), noise, random);
+    MeasureMemory memory;
+    const CameraModel camera(scene.camera());
+    const vpImage<unsigned char> whole = digitise(expose(side, side, blur, scene), noise, random);
+    const Recognition marker = recognisedAs(scene, 7, 0);
+    const auto measurement = measure(whole, camera, marker, true, memory);
+    ASSERT_TRUE(measurement);
+    const double hidden = distance < -0.5 * diameter ? 0. : 1. - std::acos(distance / (0.5 * diameter)) / M_PI;
+    EXPECT_NEAR(visibleEdgeOf(I, camera, marker, *measurement), 1. - hidden, 0.04) << distance;
+  }
+}
