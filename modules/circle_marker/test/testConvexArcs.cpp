@@ -25,7 +25,7 @@ using namespace circle_marker;
 using namespace room_test;
 
 namespace {
-using Arcs = std::vector<std::pair<std::size_t, std::size_t>>;
+using Arcs = std::vector<ConvexArc>;
 
 //! Points about a pixel apart on an arc, walked with the angle growing (dark inside) or falling.
 void appendArc(std::vector<EdgePoint> &points, const Eigen::Vector2d &center, double radius, double from, double to)
@@ -57,8 +57,8 @@ void shake(std::vector<EdgePoint> &points, Random &random, double sigma)
 
 Arcs arcsOf(const std::vector<EdgePoint> &points)
 {
-  Arcs arcs = {{7, 9}}; // left over from before
-  cutConvexArcs(points, arcs);
+  Arcs arcs = {{7, 9, 1.}}; // left over from before
+  cutConvexArcs(points, leastArcTurn, arcs);
   return arcs;
 }
 } // namespace
@@ -93,8 +93,8 @@ TEST(ConvexArcs, ArcsOfCirclesStayWhole)
     }
     const Arcs arcs = arcsOf(points);
     ASSERT_EQ(arcs.size(), 1u) << "radius " << radius;
-    EXPECT_EQ(arcs[0].first, 0u);
-    EXPECT_EQ(arcs[0].second, points.size());
+    EXPECT_EQ(arcs[0].begin, 0u);
+    EXPECT_EQ(arcs[0].end, points.size());
   }
 }
 
@@ -133,8 +133,8 @@ TEST(ConvexArcs, ALetterSIsCutAtItsWaist)
   appendArc(points, Eigen::Vector2d(60., 100.), 20., 0., -M_PI);
   const Arcs arcs = arcsOf(points);
   ASSERT_EQ(arcs.size(), 1u);
-  EXPECT_EQ(arcs[0].first, 0u);
-  EXPECT_NEAR(static_cast<double>(arcs[0].second), static_cast<double>(waist), 6.);
+  EXPECT_EQ(arcs[0].begin, 0u);
+  EXPECT_NEAR(static_cast<double>(arcs[0].end), static_cast<double>(waist), 6.);
 }
 
 TEST(ConvexArcs, TwoDiscsThatTouchAreTwoArcs)
@@ -146,9 +146,9 @@ TEST(ConvexArcs, TwoDiscsThatTouchAreTwoArcs)
   appendArc(points, Eigen::Vector2d(100. - 30. * M_SQRT2, 100.), 30., M_PI * -0.25 + M_PI / 2. + 0.01, M_PI * 1.5);
   const Arcs arcs = arcsOf(points);
   ASSERT_EQ(arcs.size(), 2u);
-  EXPECT_NEAR(static_cast<double>(arcs[0].second), static_cast<double>(corner), 6.);
-  EXPECT_NEAR(static_cast<double>(arcs[1].first), static_cast<double>(corner), 6.);
-  EXPECT_EQ(arcs[1].second, points.size());
+  EXPECT_NEAR(static_cast<double>(arcs[0].end), static_cast<double>(corner), 6.);
+  EXPECT_NEAR(static_cast<double>(arcs[1].begin), static_cast<double>(corner), 6.);
+  EXPECT_EQ(arcs[1].end, points.size());
 }
 
 TEST(ConvexArcs, SquaresAreCutAtTheirCorners)

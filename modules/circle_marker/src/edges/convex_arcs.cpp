@@ -18,8 +18,10 @@
 #include "edges/convex_arcs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -31,6 +33,11 @@ constexpr std::size_t chord = 5;
 constexpr double concaveTangent = -0.151; // of -0.15 rad
 // A sharper bend than this is a corner: an arc of radius 5 pixels bends by 1 rad.
 constexpr double cornerTangent = 1.965; // of 1.1 rad
+// A blunter corner bends by this at least, rad: ten times the angle's noise; and by so many times the mean of its arc.
+constexpr double leastCorner = 0.3;
+constexpr double cornerOfMean = 3.;
+// Points on either side of a corner whose edge is rounded by it.
+constexpr std::size_t roundedPoints = 3;
 // Shorter arcs do not fix an ellipse.
 constexpr std::size_t fewestPoints = 16;
 // Pixels between two gradients whose turn is told: a ring of radius 5 turns by a radian in between.
@@ -57,6 +64,16 @@ std::optional<double> bendAt(const std::vector<EdgePoint> &points, std::size_t i
     return std::nullopt;
   }
   return (before.x() * after.y() - before.y() * after.x()) / along;
+}
+
+// What a run of points bends in all, rad.
+double turnOf(const std::vector<EdgePoint> &points, std::size_t begin, std::size_t end)
+{
+  double turn = 0.;
+  for (std::size_t i = begin + chord; i + chord < end; ++i) {
+    turn += roughAngle(bendAt(points, i).value_or(0.)) / static_cast<double>(chord);
+  }
+  return turn;
 }
 } // namespace
 
@@ -100,7 +117,7 @@ double mostTurn(const Gradient &gradient, const EdgeChains &chains, const EdgeCh
   return most;
 }
 
-void cutConvexArcs(const std::vector<EdgePoint> &points, std::vector<std::pair<std::size_t, std::size_t>> &arcs,
+void cutConvexArcs(const std::vector<EdgePoint> &points, double leastTurn, std::vector<ConvexArc> &arcs,
                    const Deadline &deadline)
 {
   arcs.clear();
@@ -111,8 +128,8 @@ void cutConvexArcs(const std::vector<EdgePoint> &points, std::vector<std::pair<s
   std::size_t begin = 0;
   double turn = 0.;
   const auto endArc = [&](std::size_t end) {
-    if (end >= begin + fewestPoints && turn >= leastArcTurn) {
-      arcs.emplace_back(begin, end);
+    if (end >= begin + fewestPoints && turn >= leastTurn) {
+      arcs.push_back({begin, end, turn});
     }
   };
   constexpr std::size_t pointsAtOnce = 4096; // between two looks at the clock: 0.2 ms
@@ -130,6 +147,36 @@ void cutConvexArcs(const std::vector<EdgePoint> &points, std::vector<std::pair<s
     turn += roughAngle(*bend) / static_cast<double>(chord); // each bend is seen by as many overlapping pairs of chords
   }
   endArc(n);
+}
+
+bool cutAtCorner(const std::vector<EdgePoint> &points, const ConvexArc &arc, double leastTurn,
+                 std::vector<ConvexArc> &arcs)
+{
+  double sharpest = 0.;
+  std::size_t corner = arc.begin;
+  for (std::size_t i = arc.begin + chord; i + chord < arc.end; ++i) {
+    const double bend = bendAt(points, i).value_or(0.);
+    if (bend > sharpest) {
+      sharpest = bend;
+      corner = i;
+    }
+  }
+  const double mean = arc.turn * static_cast<double>(chord) / static_cast<double>(arc.length());
+  if (roughAngle(sharpest) < std::max(leastCorner, cornerOfMean * mean)) {
+    return false;
+  }
+  const std::array<std::pair<std::size_t, std::size_t>, 2> sides = {
+      {{arc.begin, corner - roundedPoints}, {corner + 1 + roundedPoints, arc.end}}};
+  for (const auto &[begin, end] : sides) {
+    if (end < begin + fewestPoints) {
+      continue;
+    }
+    const double turn = turnOf(points, begin, end);
+    if (turn >= leastTurn) {
+      arcs.push_back({begin, end, turn});
+    }
+  }
+  return true;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -43,6 +43,15 @@ constexpr std::size_t longestThinSheet = 150;
 // 4 pi times the area that either encloses, of the square of its length in pixels: more than 0.6 of an ellipse or a
 // sheet at 75 degrees, and the steps along diagonals are not counted longer.
 constexpr double leastRoundness = 0.5;
+// What is inside of an outline that is found to this share is its code: its arcs are not joined.
+constexpr double wholeOutline = 0.8;
+// Loose arcs that are joined, the longest of an image, how often one is, and all: a photograph has a hundred, and each
+// pair is a fit of an ellipse.
+constexpr std::size_t mostLoose = 200;
+constexpr int mostJoins = 8;
+constexpr int mostJoinsOfAll = 300;
+// Points of two arcs that their ellipse is fitted to.
+constexpr std::size_t joinedPoints = 32;
 // No outline inside of the image is longer than the image's own: longer closed chains are something else.
 constexpr std::size_t longestOutline = 2;
 
@@ -139,20 +148,30 @@ bool KnownOutlines::liesOn(const EllipseCandidate &known, const EdgePoint *point
   return 4 * on > 3 * asked;
 }
 
-bool KnownOutlines::holds(const EdgePoint *points, std::size_t count, double scale, double shift) const
+bool KnownOutlines::holds(const EdgePoint *points, std::size_t count, double scale, double shift,
+                          double leastSupport) const
 {
   // An outline that holds three quarters of the points holds one of three in the middle, a quarter of the run apart,
   // but for a strange choice; outlines are looked for in the cells around each.
   for (const std::size_t i : {count / 4, count / 2, 3 * count / 4}) {
     const Eigen::Vector2d position = scale * points[i].position + Eigen::Vector2d(shift, shift);
     const auto isOn = [&](int number) {
-      return liesOn(outlines[static_cast<std::size_t>(number)], points, count, scale, shift);
+      const EllipseCandidate &known = outlines[static_cast<std::size_t>(number)];
+      return known.support >= leastSupport && liesOn(known, points, count, scale, shift);
     };
     if (m_points.any(position.x(), position.y(), 2., isOn)) {
       return true;
     }
   }
   return false;
+}
+
+bool KnownOutlines::surrounds(const Eigen::Vector2d &point, double leastSupport) const
+{
+  return std::any_of(outlines.begin(), outlines.end(), [&](const EllipseCandidate &known) {
+    return known.support >= leastSupport && (point - known.ellipse.center).squaredNorm() < known.ellipse.a * known.ellipse.a &&
+           sampsonDistance(known.conic, point) < 0.;
+  });
 }
 
 namespace {
@@ -269,20 +288,29 @@ struct Search
     }
     bench.points.clear();
     locateChain(gradient, chains, chain, bench.points, deadline);
-    cutConvexArcs(bench.points, bench.arcs, deadline);
+    cutConvexArcs(bench.points, leastLooseTurn, bench.arcs, deadline);
     if (bench.arcs.empty()) {
       refuse(bench, index, bench.points.data(), bench.points.size(), EllipseReject::LITTLE_BEND);
     }
-    for (const auto &[begin, end] : bench.arcs) {
-      const EdgePoint *points = bench.points.data() + begin;
+    for (std::size_t k = 0; k < bench.arcs.size(); ++k) { // pieces of them are appended
+      const ConvexArc arc = bench.arcs[k];
+      const EdgePoint *points = bench.points.data() + arc.begin;
       if (deadline.hasPassed()) {
         return refuse(bench, index, EllipseReject::TIMEOUT);
       }
-      if (memory.known.holds(points, end - begin) || isKnownElsewhere(points, end - begin)) {
-        refuse(bench, index, points, end - begin, EllipseReject::KNOWN_OUTLINE);
+      if (memory.known.holds(points, arc.length()) || isKnownElsewhere(points, arc.length())) {
+        refuse(bench, index, points, arc.length(), EllipseReject::KNOWN_OUTLINE);
+        continue;
       }
-      else {
-        propose(bench, index, points, end - begin, false);
+      if (arc.turn < leastArcTurn) {
+        refuse(bench, index, points, arc.length(), EllipseReject::LITTLE_BEND);
+      }
+      else if (propose(bench, index, points, arc.length(), false) == EllipseReject::NONE) {
+        bench.loose.append().set(I, index, points, arc.length(), arc.turn); // another outline may have more of it
+        continue;
+      }
+      if (!cutAtCorner(bench.points, arc, leastLooseTurn, bench.arcs)) {
+        bench.loose.append().set(I, index, points, arc.length(), arc.turn);
       }
     }
   }
@@ -336,6 +364,80 @@ struct Search
     return reason == EllipseReject::NONE || reason == EllipseReject::KNOWN_OUTLINE;
   }
 
+  // The loose arcs that may be joined, the longest first.
+  void gatherLoose() const
+  {
+    std::vector<LooseArc *> &loose = memory.loose;
+    loose.clear();
+    for (EllipseMemory::Bench &bench : memory.benches) {
+      for (LooseArc &arc : bench.loose) {
+        if (!memory.known.holds(arc.points.data(), arc.points.size(), 1., 0., wholeOutline) &&
+            !memory.known.surrounds(arc.ends[1].position, wholeOutline)) {
+          loose.push_back(&arc);
+        }
+      }
+    }
+    // Those of one chain lie in one bench, one behind the other.
+    std::sort(loose.begin(), loose.end(), [](const LooseArc *p, const LooseArc *q) {
+      const auto length = [](const LooseArc *arc) { return arc->points.size(); };
+      return length(p) != length(q)   ? length(p) > length(q)
+             : p->chain != q->chain ? p->chain < q->chain
+                                    : std::less<>()(p, q);
+    });
+    loose.resize(std::min(loose.size(), mostLoose));
+  }
+
+  // Joins arcs by twos. An outline that comes of it takes all arcs along it, and those that have led to it before.
+  void joinArcs() const
+  {
+    gatherLoose();
+    std::vector<LooseArc *> &loose = memory.loose;
+    EllipseMemory::Bench &bench = memory.benches.front();
+    int joins = 0;
+    for (std::size_t i = 0; i < loose.size(); ++i) {
+      int joinsOfArc = 0;
+      for (std::size_t j = i + 1; loose[i] != nullptr && j < loose.size(); ++j) {
+        if (loose[j] == nullptr || !mayBelongTogether(*loose[i], *loose[j])) {
+          continue;
+        }
+        if (deadline.hasPassed() || ++joins > mostJoinsOfAll) {
+          return;
+        }
+        if (join(*loose[i], *loose[j], bench)) {
+          for (LooseArc *&arc : loose) {
+            if (arc != nullptr && memory.known.holds(arc->points.data(), arc->points.size())) {
+              arc = nullptr;
+            }
+          }
+        }
+        else if (++joinsOfArc == mostJoins) {
+          break;
+        }
+      }
+    }
+  }
+
+  // Whether two arcs give an outline, which is kept if it is new or better than the same one.
+  bool join(const LooseArc &one, const LooseArc &other, EllipseMemory::Bench &bench) const
+  {
+    const std::size_t length = one.points.size() + other.points.size();
+    bench.points.clear();
+    for (const LooseArc *arc : {&one, &other}) {
+      for (std::size_t i = 0; i < arc->points.size(); i += 1 + length / joinedPoints) {
+        bench.points.push_back(arc->points[i]);
+      }
+    }
+    EllipseMemory::Proposal &proposal = bench.proposals.append();
+    proposal.candidate.ellipse = EllipseParameters();
+    const EllipseReject reason = bench.fitter.fitJoined(I, gradient, bench.points.data(), bench.points.size(),
+                                                        static_cast<double>(length), sought, proposal.candidate);
+    if (reason == EllipseReject::NONE) {
+      memory.known.take(proposal.candidate);
+    }
+    bench.proposals.removeLast();
+    return reason == EllipseReject::NONE;
+  }
+
   // Keeps what was proposed, in the order of the chains: that does not depend on which thread had which chain.
   void settle() const
   {
@@ -376,6 +478,7 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
   memory.known.reset(gradient.width, gradient.height);
   for (EllipseMemory::Bench &bench : memory.benches) {
     bench.refusals.clear();
+    bench.loose.clear();
   }
   const Search search = {I, gradient, chains, sought, other, deadline, memory};
   workers.run(chains.chains.size(),
@@ -384,6 +487,7 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
   workers.run(chains.chains.size(),
               [&](std::size_t chain, unsigned int worker) { search.arcsOfChain(chain, memory.benches[worker]); });
   search.settle();
+  search.joinArcs();
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

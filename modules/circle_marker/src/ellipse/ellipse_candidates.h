@@ -19,9 +19,10 @@
 #define VP_CIRCLE_MARKER_ELLIPSE_CANDIDATES_H
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
+#include "edges/convex_arcs.h"
+#include "ellipse/loose_arcs.h"
 #include "ellipse/outline_fitter.h"
 #include "support/cell_index.h"
 #include "support/reused_list.h"
@@ -53,8 +54,13 @@ public:
     Whether most of the points lie on an outline that is known.
     \param points, count : Points.
     \param scale, shift : Where they are, in pixels of the known outlines: scale * position + shift.
+    \param leastSupport : Share of the outline that must be found for it to count.
   */
-  bool holds(const EdgePoint *points, std::size_t count, double scale = 1., double shift = 0.) const;
+  bool holds(const EdgePoint *points, std::size_t count, double scale = 1., double shift = 0.,
+             double leastSupport = 0.) const;
+
+  /*! Whether a point is inside of an outline of which this share at least is found. */
+  bool surrounds(const Eigen::Vector2d &point, double leastSupport) const;
 
   ReusedList<EllipseCandidate> outlines; //!< All of them. Sorting them is the end of this index.
 
@@ -90,13 +96,15 @@ struct EllipseMemory
   {
     OutlineFitter fitter;
     std::vector<EdgePoint> points;
-    std::vector<std::pair<std::size_t, std::size_t>> arcs;
+    std::vector<ConvexArc> arcs;
+    ReusedList<LooseArc> loose;
     ReusedList<Proposal> proposals;
     std::vector<Refusal> refusals;
   };
   std::vector<Bench> benches;
   std::vector<std::uint8_t> left;    //!< One per chain: whether it is still to be cut into arcs.
   std::vector<Proposal *> proposals; //!< Of all benches, in the order of their chains.
+  std::vector<LooseArc *> loose;     //!< Of all benches, the longest first.
   KnownOutlines known;
   bool keepsRefusals = false; //!< Whether refusals are kept, to be shown.
 };
@@ -111,7 +119,8 @@ struct OtherScale
 
 /*!
   Finds the ellipses among the edge chains of an image. A closed chain is fitted as it is; the others are cut where they
-  bend the wrong way or sharply, and the ellipse fitted to an arc is completed by searching its whole outline for edges.
+  bend the wrong way or sharply, and the ellipse fitted to an arc, or else to two arcs with something between them, is
+  completed by searching its whole outline for edges.
   The chains are shared among the workers; the result does not depend on their number.
   \param I : The image.
   \param gradient : Its gradient.

@@ -53,6 +53,9 @@ constexpr int mostFirstSamples = 48;
 constexpr double onOutline = 1.5;
 // Share of an ellipse's perimeter that an arc must have to be judged by its centre at once.
 constexpr double leastShareForCenter = 0.5;
+// Share of an ellipse's perimeter that two arcs must have to be completed: three bars that cover a quarter of a ring
+// leave six arcs of 12 % each.
+constexpr double leastShareOfJoined = 0.2;
 // Share of an outline's points that is kept when it does not fit as a whole, and how often the choice is made again.
 constexpr double trimmedShare = 0.75;
 constexpr int trimmingPasses = 10;
@@ -144,6 +147,28 @@ EllipseReject OutlineFitter::fit(const vpImage<unsigned char> &I, const Gradient
   }
   if (!fits && (!isWhole || !fitMost(points, count, candidate))) {
     return EllipseReject::BAD_FIT;
+  }
+  return complete(I, gradient, sought, candidate);
+}
+
+EllipseReject OutlineFitter::fitJoined(const vpImage<unsigned char> &I, const Gradient &gradient,
+                                       const EdgePoint *points, std::size_t count, double length,
+                                       const SoughtCenters &sought, EllipseCandidate &candidate)
+{
+  candidate.isByLine = false;
+  if (!fitPoints(points, count, candidate, directFit)) {
+    return EllipseReject::NOT_AN_ELLIPSE;
+  }
+  const double perimeter = M_PI * (candidate.ellipse.a + candidate.ellipse.b);
+  if (rootMeanSquareDistance(candidate, points, count) > fitToleranceOf(candidate.ellipse)) {
+    return EllipseReject::BAD_FIT;
+  }
+  if (length < leastShareOfJoined * perimeter) {
+    return EllipseReject::LITTLE_SUPPORT;
+  }
+  if (length > leastShareForCenter * perimeter &&
+      !hasSoughtCenter(I, points, count, candidate.ellipse.center, sought)) {
+    return EllipseReject::OTHER_CENTER;
   }
   return complete(I, gradient, sought, candidate);
 }

@@ -36,34 +36,6 @@ constexpr double leastCenter = 0.1;
 // how bright it has to be there, share of the step.
 constexpr double besideCenter = 0.3;
 constexpr double clearlyBright = 0.6;
-
-// Grey levels beside an outline, means over 16 of its points.
-struct Beside
-{
-  double dark = 0.;
-  double bright = 0.;
-};
-
-Beside besideOutline(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count)
-{
-  constexpr std::size_t samples = 16;
-  Beside beside;
-  int seen = 0;
-  for (std::size_t k = 0; k < samples; ++k) {
-    const EdgePoint &point = points[k * count / samples];
-    const Eigen::Vector2d beyond = besideEdge * point.normal();
-    const auto inside = bilinear(I, point.position - beyond);
-    const auto outside = bilinear(I, point.position + beyond);
-    if (inside && outside) {
-      beside.dark += *inside;
-      beside.bright += *outside;
-      ++seen;
-    }
-  }
-  beside.dark /= std::max(seen, 1);
-  beside.bright /= std::max(seen, 1);
-  return beside;
-}
 } // namespace
 
 double medianContrast(const vpImage<unsigned char> &I, const EllipseCandidate &candidate)
@@ -103,6 +75,27 @@ double medianContrast(const vpImage<unsigned char> &I, const EllipseCandidate &c
   return *middle;
 }
 
+GreysBeside greysBeside(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count)
+{
+  constexpr std::size_t samples = 16;
+  GreysBeside beside;
+  int seen = 0;
+  for (std::size_t k = 0; k < samples; ++k) {
+    const EdgePoint &point = points[k * count / samples];
+    const Eigen::Vector2d beyond = besideEdge * point.normal();
+    const auto inside = bilinear(I, point.position - beyond);
+    const auto outside = bilinear(I, point.position + beyond);
+    if (inside && outside) {
+      beside.dark += *inside;
+      beside.bright += *outside;
+      ++seen;
+    }
+  }
+  beside.dark /= std::max(seen, 1);
+  beside.bright /= std::max(seen, 1);
+  return beside;
+}
+
 bool hasSoughtCenter(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count,
                      const Eigen::Vector2d &center, const SoughtCenters &sought)
 {
@@ -113,7 +106,7 @@ bool hasSoughtCenter(const vpImage<unsigned char> &I, const EdgePoint *points, s
   if (!grey) {
     return true; // cut by the image's border: what is left of it decides later
   }
-  const Beside beside = besideOutline(I, points, count);
+  const GreysBeside beside = greysBeside(I, points, count);
   const double step = beside.bright - beside.dark;
   const double aboveDark = *grey - beside.dark;
   if (!sought.bright) {
@@ -140,7 +133,7 @@ bool isDarkThroughout(const vpImage<unsigned char> &I, const EdgePoint *points, 
     center += points[i].position;
   }
   center /= static_cast<double>(count);
-  const Beside beside = besideOutline(I, points, count);
+  const GreysBeside beside = greysBeside(I, points, count);
   const double most = beside.dark + leastCenter * (beside.bright - beside.dark);
   constexpr std::size_t directions = 4;
   bool isDark = bilinear(I, center).value_or(255.) < most;

@@ -27,6 +27,16 @@ namespace circle_marker {
 /*! Step between the brightest pixel outside and the darkest inside of an outline, median over it, grey levels. */
 double medianContrast(const vpImage<unsigned char> &I, const EllipseCandidate &candidate);
 
+/*! Grey levels beside an edge, means over its length. */
+struct GreysBeside
+{
+  double dark = 0.;
+  double bright = 0.;
+};
+
+/*! The grey levels on either side of a run of edge points, a pixel and a half from it; zeros outside of the image. */
+GreysBeside greysBeside(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count);
+
 /*! Whether the centre of an outline is like that of the markers sought, judged by the grey levels beside its edge. */
 bool hasSoughtCenter(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count,
                      const Eigen::Vector2d &center, const SoughtCenters &sought);
