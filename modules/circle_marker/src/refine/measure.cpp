@@ -285,6 +285,35 @@ RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &came
   return ranked;
 }
 
+// What covers a part of a marker draws its outline aside, and of the two poses the right one may end in a minimum beside
+// its own, where it looks hopeless: the mirrored pose of the best fit is a start that nothing has drawn.
+void addMirrored(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
+                 const Recognition &marker, const MarkerPattern &pattern, const FitSettings &settings,
+                 MeasureMemory &memory, RankedFits &ranked)
+{
+  Few<FittedPose> &fits = ranked.fits;
+  if (fits.empty() || (fits.size() > 1 && isSameLight(fits[0].photometry, fits[1].photometry))) {
+    return;
+  }
+  const std::array<MarkerPlane, 2> around = {fits[0].plane, mirrored(fits[0].plane)};
+  selectFewPixels(I, camera, frame, around.data(), around.size(), pattern, boundedBlur(fits[0].photometry.blur),
+                  memory.pixels);
+  dropCovered(marker, memory.pixels);
+  Few<FitStart> starts;
+  for (const MarkerPlane &plane : around) {
+    starts.push_back({plane, fits[0].photometry, std::nullopt});
+  }
+  if (fits.size() > 1) {
+    starts.push_back({fits[1].plane, fits[1].photometry, std::nullopt});
+  }
+  Few<FittedPose> again = fitAll(memory.pixels, starts, pattern, settings, givenUpOdds, *memory.fitter);
+  if (!again.empty()) {
+    ranked.noise = rank(memory.pixels, pattern, settings.exactBends, again, *memory.fitter);
+    keepTwo(again);
+    fits = again;
+  }
+}
+
 // Whether a ring has the design's ratio of radii, whatever the first look at it said: it fits, and black is not larger
 // or smaller than printers and cameras make it.
 bool isRightRing(const RankedFits &ranked)
@@ -326,6 +355,9 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   if (marker.ringInner != marker.family.getLayout().ringInner && !isRightRing(few)) {
     pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
     few = fitFewPixels(I, camera, frame, marker, pattern, coarse, memory);
+  }
+  if (marker.seen && refine) {
+    addMirrored(I, camera, frame, marker, pattern, coarse, memory, few);
   }
   Few<FittedPose> &fits = few.fits;
   double noise = few.noise;
