@@ -134,10 +134,10 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
   if (isTooNoisy || (isDoubted && verdict.explained < leastExplained * verdict.all)) {
     return WholeVerdict::WRONG;
   }
-  // Pixels that may be off by as much as such a fit leaves say nothing against it.
-  const bool isBlind = isNoisy && isFaint;
-  const bool isWhole = !isBlind && verdict.explained >= wholeExplained * verdict.all &&
-                       (!isDoubted || !pixels.hasCoverLikePrint());
+  // Pixels that may be off by as much as such a fit leaves say little against it.
+  const bool isBlind = isNoisy && (isFaint || support < leastSupportOfWhole);
+  const bool isWhole =
+      !isBlind && verdict.explained >= wholeExplained * verdict.all && (!isDoubted || !pixels.hasCoverLikePrint());
   return isWhole ? WholeVerdict::RIGHT : WholeVerdict::COVERED;
 }
 

@@ -160,3 +160,33 @@ TEST(ConvexArcs, SquaresAreCutAtTheirCorners)
   }
   EXPECT_TRUE(arcsOf(points).empty());
 }
+
+// An arc that goes on along a line, which it meets at a corner that is too blunt to be cut at first.
+TEST(ConvexArcs, CutAtABluntCorner)
+{
+  Random random = randomOfTest();
+  for (const double corner : {0.5, 0.8, 1.}) {
+    const Eigen::Vector2d center(100., 100.);
+    const double radius = 60.;
+    const double last = uniform(random, 0.5, 1.);
+    std::vector<EdgePoint> points;
+    appendArc(points, center, radius, -1.5, last);
+    const std::size_t end = points.size();
+    const Eigen::Vector2d from = center + radius * Eigen::Vector2d(std::cos(last), std::sin(last));
+    const double along = last + M_PI_2 + corner;
+    appendLine(points, from, from + 40. * Eigen::Vector2d(std::cos(along), std::sin(along)));
+    shake(points, random, 0.05);
+    Arcs arcs = arcsOf(points);
+    ASSERT_EQ(arcs.size(), 1u) << corner;
+    ASSERT_EQ(arcs[0].length(), points.size());
+    const ConvexArc whole = arcs[0];
+    ASSERT_TRUE(cutAtCorner(points, whole, 0.3, arcs)) << corner;
+    ASSERT_EQ(arcs.size(), 2u) << "the line bends too little";
+    EXPECT_EQ(arcs[1].begin, 0u);
+    EXPECT_NEAR(static_cast<double>(arcs[1].end), static_cast<double>(end), 8.);
+    EXPECT_LE(arcs[1].end, end);
+    EXPECT_NEAR(arcs[1].turn, last + 1.5, 0.25);
+    EXPECT_FALSE(cutAtCorner(points, arcs[1], 0.3, arcs)) << "a circle has no corner";
+    EXPECT_EQ(arcs.size(), 2u);
+  }
+}

@@ -94,7 +94,8 @@ TEST(DetectCovered, WhatIsInFrontOfItIsSeen)
 {
   Random random = randomOfTest();
   for (int i = 0; i < 10; ++i) {
-    const MarkerScene scene = markerScene(random, golay23, i, uniform(random, 60., 80.), uniform(random, 0., 0.5), side);
+    const MarkerScene scene =
+        markerScene(random, golay23, i, uniform(random, 60., 80.), uniform(random, 0., 0.5), side);
     const CoveredScene covered{scene, 0.5 * side - 22., 0.5 * side - 6.};
     const vpImage<unsigned char> I = digitise(expose(side, side, blur, covered), noise, random);
     EXPECT_NE(verdictOn(I, scene, recognisedAs(scene, i, 0), 0.7), WholeVerdict::RIGHT) << i;

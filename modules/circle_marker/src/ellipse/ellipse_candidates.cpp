@@ -169,7 +169,8 @@ bool KnownOutlines::holds(const EdgePoint *points, std::size_t count, double sca
 bool KnownOutlines::surrounds(const Eigen::Vector2d &point, double leastSupport) const
 {
   return std::any_of(outlines.begin(), outlines.end(), [&](const EllipseCandidate &known) {
-    return known.support >= leastSupport && (point - known.ellipse.center).squaredNorm() < known.ellipse.a * known.ellipse.a &&
+    return known.support >= leastSupport &&
+           (point - known.ellipse.center).squaredNorm() < known.ellipse.a * known.ellipse.a &&
            sampsonDistance(known.conic, point) < 0.;
   });
 }
@@ -380,7 +381,7 @@ struct Search
     // Those of one chain lie in one bench, one behind the other.
     std::sort(loose.begin(), loose.end(), [](const LooseArc *p, const LooseArc *q) {
       const auto length = [](const LooseArc *arc) { return arc->points.size(); };
-      return length(p) != length(q)   ? length(p) > length(q)
+      return length(p) != length(q) ? length(p) > length(q)
              : p->chain != q->chain ? p->chain < q->chain
                                     : std::less<>()(p, q);
     });

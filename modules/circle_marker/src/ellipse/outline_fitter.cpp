@@ -53,9 +53,9 @@ constexpr int mostFirstSamples = 48;
 constexpr double onOutline = 1.5;
 // Share of an ellipse's perimeter that an arc must have to be judged by its centre at once.
 constexpr double leastShareForCenter = 0.5;
-// Share of an ellipse's perimeter that two arcs must have to be completed: three bars that cover a quarter of a ring
-// leave six arcs of 12 % each.
-constexpr double leastShareOfJoined = 0.2;
+// Share of an ellipse's perimeter, by their pixels, that two arcs must have to be completed: three bars that cover a
+// quarter of a ring leave six arcs of 12 % each, which have fewer pixels along diagonals.
+constexpr double leastShareOfJoined = 0.13;
 // Share of an outline's points that is kept when it does not fit as a whole, and how often the choice is made again.
 constexpr double trimmedShare = 0.75;
 constexpr int trimmingPasses = 10;

@@ -285,8 +285,8 @@ RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &came
   return ranked;
 }
 
-// What covers a part of a marker draws its outline aside, and of the two poses the right one may end in a minimum beside
-// its own, where it looks hopeless: the mirrored pose of the best fit is a start that nothing has drawn.
+// What covers a part of a marker draws its outline aside, and of the two poses the right one may end in a minimum
+// beside its own, where it looks hopeless: the mirrored pose of the best fit is a start that nothing has drawn.
 void addMirrored(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
                  const Recognition &marker, const MarkerPattern &pattern, const FitSettings &settings,
                  MeasureMemory &memory, RankedFits &ranked)
