@@ -27,8 +27,6 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Two ellipses are one outline if centres and axes agree to this share of the minor semi-axis (and a pixel).
-constexpr double sameOutline = 0.1;
 // Shorter chains fix no ellipse.
 constexpr std::size_t fewestPoints = 8;
 // Marks of EllipseMemory::left for chains that are still to be cut: those that enclose something bright, too.
@@ -55,11 +53,6 @@ constexpr std::size_t joinedPoints = 32;
 // No outline inside of the image is longer than the image's own: longer closed chains are something else.
 constexpr std::size_t longestOutline = 2;
 
-double slackOf(const EllipseParameters &ellipse)
-{
-  return 1. + sameOutline * ellipse.b;
-}
-
 // Twice the signed area that a chain of pixels encloses, as doubledArea().
 std::int64_t doubledPixelArea(const EdgeChains &chains, const EdgeChain &chain)
 {
@@ -72,110 +65,7 @@ std::int64_t doubledPixelArea(const EdgeChains &chains, const EdgeChain &chain)
   }
   return area;
 }
-} // namespace
 
-bool isSameOutline(const EllipseParameters &p, const EllipseParameters &q)
-{
-  const double slack = slackOf(p.b < q.b ? p : q);
-  return std::abs(p.a - q.a) < slack && std::abs(p.b - q.b) < slack && (p.center - q.center).norm() < slack;
-}
-
-void KnownOutlines::reset(int width, int height)
-{
-  outlines.clear();
-  m_centers.reset(width, height);
-  m_points.reset(width, height);
-  m_large.clear();
-}
-
-int KnownOutlines::find(const EllipseParameters &ellipse) const
-{
-  int same = -1;
-  const auto isSame = [&](int number) {
-    if (isSameOutline(outlines[static_cast<std::size_t>(number)].ellipse, ellipse)) {
-      same = number;
-    }
-    return same >= 0;
-  };
-  // Of two outlines that are the same, either both are large or their centres are less than a cell apart.
-  const double reach = std::min<double>(slackOf(ellipse), CellIndex::side);
-  if (!m_centers.any(ellipse.center.x(), ellipse.center.y(), reach, isSame) && slackOf(ellipse) > CellIndex::side) {
-    return std::any_of(m_large.begin(), m_large.end(), isSame) ? same : -1;
-  }
-  return same;
-}
-
-bool KnownOutlines::take(EllipseCandidate &candidate)
-{
-  int number = find(candidate.ellipse);
-  const bool isNew = number < 0;
-  if (!isNew) {
-    EllipseCandidate &known = outlines[static_cast<std::size_t>(number)];
-    const bool isBetter =
-        candidate.isByLine == known.isByLine ? candidate.support > known.support : !candidate.isByLine;
-    if (!isBetter) {
-      return false;
-    }
-    std::swap(known, candidate);
-  }
-  else {
-    number = static_cast<int>(outlines.size());
-    std::swap(outlines.append(), candidate);
-  }
-  const EllipseCandidate &kept = outlines[static_cast<std::size_t>(number)];
-  m_centers.add(number, kept.ellipse.center.x(), kept.ellipse.center.y());
-  if (slackOf(kept.ellipse) > CellIndex::side) {
-    m_large.push_back(number);
-  }
-  for (const EdgePoint &point : kept.points) {
-    m_points.add(number, point.position.x(), point.position.y());
-  }
-  return isNew;
-}
-
-bool KnownOutlines::liesOn(const EllipseCandidate &known, const EdgePoint *points, std::size_t count, double scale,
-                           double shift) const
-{
-  const double slack = 1. + fitToleranceOf(known.ellipse);
-  const std::size_t stride = 4 + count / 100; // a hundred points decide as well as all
-  std::size_t on = 0;
-  std::size_t asked = 0;
-  for (std::size_t i = 0; i < count; i += stride) {
-    const Eigen::Vector2d position = scale * points[i].position + Eigen::Vector2d(shift, shift);
-    on += std::abs(sampsonDistance(known.conic, position)) < scale * slack ? 1 : 0;
-    ++asked;
-  }
-  return 4 * on > 3 * asked;
-}
-
-bool KnownOutlines::holds(const EdgePoint *points, std::size_t count, double scale, double shift,
-                          double leastSupport) const
-{
-  // An outline that holds three quarters of the points holds one of three in the middle, a quarter of the run apart,
-  // but for a strange choice; outlines are looked for in the cells around each.
-  for (const std::size_t i : {count / 4, count / 2, 3 * count / 4}) {
-    const Eigen::Vector2d position = scale * points[i].position + Eigen::Vector2d(shift, shift);
-    const auto isOn = [&](int number) {
-      const EllipseCandidate &known = outlines[static_cast<std::size_t>(number)];
-      return known.support >= leastSupport && liesOn(known, points, count, scale, shift);
-    };
-    if (m_points.any(position.x(), position.y(), 2., isOn)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-bool KnownOutlines::surrounds(const Eigen::Vector2d &point, double leastSupport) const
-{
-  return std::any_of(outlines.begin(), outlines.end(), [&](const EllipseCandidate &known) {
-    return known.support >= leastSupport &&
-           (point - known.ellipse.center).squaredNorm() < known.ellipse.a * known.ellipse.a &&
-           sampsonDistance(known.conic, point) < 0.;
-  });
-}
-
-namespace {
 // One search; what all its tasks share.
 struct Search
 {

@@ -22,58 +22,14 @@
 #include <vector>
 
 #include "edges/convex_arcs.h"
+#include "ellipse/known_outlines.h"
 #include "ellipse/loose_arcs.h"
 #include "ellipse/outline_fitter.h"
-#include "support/cell_index.h"
 #include "support/reused_list.h"
 #include "support/workers.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Whether two ellipses are one outline, to a tenth of their size and a pixel. */
-bool isSameOutline(const EllipseParameters &p, const EllipseParameters &q);
-
-/*! Outlines without two of the same, found by place. */
-class KnownOutlines
-{
-public:
-  /*! Forgets all; the memory is kept. */
-  void reset(int width, int height);
-
-  /*!
-    Keeps an outline, whose memory is swapped in, or drops it: of two that are the same the better supported stays,
-    and one that was found by its edge before one that was found by its dark line.
-    \return Whether it was new; if not, \e candidate is what was dropped.
-  */
-  bool take(EllipseCandidate &candidate);
-
-  /*! Whether an outline of these axes is known. */
-  bool hasSame(const EllipseParameters &ellipse) const { return find(ellipse) >= 0; }
-
-  /*!
-    Whether most of the points lie on an outline that is known.
-    \param points, count : Points.
-    \param scale, shift : Where they are, in pixels of the known outlines: scale * position + shift.
-    \param leastSupport : Share of the outline that must be found for it to count.
-  */
-  bool holds(const EdgePoint *points, std::size_t count, double scale = 1., double shift = 0.,
-             double leastSupport = 0.) const;
-
-  /*! Whether a point is inside of an outline of which this share at least is found. */
-  bool surrounds(const Eigen::Vector2d &point, double leastSupport) const;
-
-  ReusedList<EllipseCandidate> outlines; //!< All of them. Sorting them is the end of this index.
-
-private:
-  int find(const EllipseParameters &ellipse) const;
-  bool liesOn(const EllipseCandidate &known, const EdgePoint *points, std::size_t count, double scale,
-              double shift) const;
-
-  CellIndex m_centers;      //!< Outlines by their centres.
-  CellIndex m_points;       //!< Outlines by the points along them.
-  std::vector<int> m_large; //!< Outlines that may be the same though their centres are cells apart.
-};
-
 /*! Working memory of findEllipses(). */
 struct EllipseMemory
 {

@@ -1,0 +1,112 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Tests of the outlines found so far.
+ */
+
+#include "ellipse/known_outlines.h"
+
+#include "ellipse/conic.h"
+#include "ellipse/ellipse_walk.h"
+#include "testRoomTools.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr int side = 400;
+
+EllipseParameters ellipseAt(double u, double v, double a)
+{
+  EllipseParameters ellipse;
+  ellipse.center = Eigen::Vector2d(u, v);
+  ellipse.a = a;
+  ellipse.b = 0.8 * a;
+  ellipse.angle = 0.3;
+  return ellipse;
+}
+
+EllipseCandidate candidateAt(const EllipseParameters &ellipse, double support)
+{
+  EllipseCandidate candidate;
+  candidate.ellipse = ellipse;
+  candidate.conic = conicFromEllipse(ellipse);
+  candidate.support = support;
+  constexpr int count = 64;
+  EllipseWalk walk(ellipse, count);
+  for (int i = 0; i < count; ++i, walk.next()) {
+    candidate.points.push_back(walk.here());
+  }
+  return candidate;
+}
+
+struct Known
+{
+  KnownOutlines outlines;
+  Known() { outlines.reset(side, side); }
+  bool take(const EllipseParameters &ellipse, double support, bool isByLine = false)
+  {
+    EllipseCandidate candidate = candidateAt(ellipse, support);
+    candidate.isByLine = isByLine;
+    return outlines.take(candidate);
+  }
+};
+} // namespace
+
+TEST(KnownOutlines, OfTwoThatAreTheSameTheBetterStays)
+{
+  Known known;
+  EXPECT_TRUE(known.take(ellipseAt(100., 120., 40.), 0.7));
+  EXPECT_FALSE(known.take(ellipseAt(101., 120., 41.), 0.6));
+  EXPECT_EQ(known.outlines.outlines[0].ellipse.a, 40.);
+  EXPECT_FALSE(known.take(ellipseAt(100., 121., 39.), 0.9));
+  EXPECT_EQ(known.outlines.outlines[0].ellipse.a, 39.);
+  EXPECT_FALSE(known.take(ellipseAt(100., 121., 38.5), 1., true)) << "a dark line never replaces an edge";
+  EXPECT_EQ(known.outlines.outlines[0].ellipse.a, 39.);
+  EXPECT_TRUE(known.take(ellipseAt(100., 120., 20.), 0.7)) << "half as large";
+  EXPECT_TRUE(known.take(ellipseAt(150., 120., 40.), 0.7)) << "elsewhere";
+  EXPECT_EQ(known.outlines.outlines.size(), 3u);
+  EXPECT_TRUE(known.outlines.hasSame(ellipseAt(149., 121., 40.)));
+  EXPECT_FALSE(known.outlines.hasSame(ellipseAt(200., 121., 40.)));
+}
+
+TEST(KnownOutlines, HoldsThePointsAlongThem)
+{
+  Known known;
+  const EllipseParameters ellipse = ellipseAt(200., 200., 100.);
+  ASSERT_TRUE(known.take(ellipse, 0.7));
+  const std::vector<EdgePoint> along = candidateAt(ellipse, 1.).points;
+  EXPECT_TRUE(known.outlines.holds(along.data(), along.size()));
+  EXPECT_TRUE(known.outlines.holds(along.data(), 20)) << "an arc";
+  EXPECT_TRUE(known.outlines.holds(along.data(), along.size(), 1., 0., 0.7));
+  EXPECT_FALSE(known.outlines.holds(along.data(), along.size(), 1., 0., 0.8)) << "less is found of it";
+  const std::vector<EdgePoint> inside = candidateAt(ellipseAt(200., 200., 80.), 1.).points;
+  EXPECT_FALSE(known.outlines.holds(inside.data(), inside.size()));
+  // The same outline at half the size: pixel u' is at 2 u' + 1/2.
+  const std::vector<EdgePoint> half = candidateAt(ellipseAt(99.75, 99.75, 50.), 1.).points;
+  EXPECT_TRUE(known.outlines.holds(half.data(), half.size(), 2., 0.5));
+  EXPECT_FALSE(known.outlines.holds(half.data(), half.size()));
+}
+
+TEST(KnownOutlines, SurroundsWhatIsInside)
+{
+  Known known;
+  ASSERT_TRUE(known.take(ellipseAt(200., 200., 100.), 0.7)); // 80 across its longer axis
+  const Eigen::Vector2d minor(-std::sin(0.3), std::cos(0.3));
+  const Eigen::Vector2d center(200., 200.);
+  EXPECT_TRUE(known.outlines.surrounds(center, 0.7));
+  EXPECT_TRUE(known.outlines.surrounds(center + 79. * minor, 0.7));
+  EXPECT_FALSE(known.outlines.surrounds(center + 81. * minor, 0.7));
+  EXPECT_FALSE(known.outlines.surrounds(center, 0.8)) << "less is found of it";
+}
