@@ -41,6 +41,8 @@ constexpr std::size_t longestThinSheet = 150;
 // 4 pi times the area that either encloses, of the square of its length in pixels: more than 0.6 of an ellipse or a
 // sheet at 75 degrees, and the steps along diagonals are not counted longer.
 constexpr double leastRoundness = 0.5;
+// Pieces that are cut from a chain's arcs at their corners, at most: a spiral of short lines has thousands.
+constexpr std::size_t mostPieces = 16;
 // What is inside of an outline that is found to this share is its code: its arcs are not joined.
 constexpr double wholeOutline = 0.8;
 // Loose arcs that are joined, the longest of an image, how often one is, and all: a photograph has a hundred, and each
@@ -183,6 +185,7 @@ struct Search
     if (bench.arcs.empty()) {
       refuse(bench, index, bench.points.data(), bench.points.size(), EllipseReject::LITTLE_BEND);
     }
+    const std::size_t most = bench.arcs.size() + mostPieces;
     for (std::size_t k = 0; k < bench.arcs.size(); ++k) { // pieces of them are appended
       const ConvexArc arc = bench.arcs[k];
       const EdgePoint *points = bench.points.data() + arc.begin;
@@ -200,7 +203,7 @@ struct Search
         bench.loose.append().set(I, index, points, arc.length(), arc.turn); // another outline may have more of it
         continue;
       }
-      if (!cutAtCorner(bench.points, arc, leastLooseTurn, bench.arcs)) {
+      if (bench.arcs.size() > most || !cutAtCorner(bench.points, arc, leastLooseTurn, bench.arcs)) {
         bench.loose.append().set(I, index, points, arc.length(), arc.turn);
       }
     }
