@@ -141,9 +141,13 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
   return isWhole ? WholeVerdict::RIGHT : WholeVerdict::COVERED;
 }
 
-bool isLikeliestThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                              const Measurement &measurement, MeasureMemory &memory)
+bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                          const Measurement &measurement, MeasureMemory &memory)
 {
+  const bool isLikeIt = measurement.first.correlation >= correlationOfPrint && !measurement.first.photometry.shadow;
+  if (marker.code.hamming == 0 && isLikeIt) {
+    return true;
+  }
   const TrackPixels pixels(I, camera, ringOf(measurement.first, marker.poses[0], camera), marker.family, memory.track);
   return isLikeliest(pixels, marker.family.getCodeword(marker.code.id), marker.family);
 }

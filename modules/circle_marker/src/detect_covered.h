@@ -77,9 +77,12 @@ enum class WholeVerdict
 WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &camera, double noise, double support,
                         const Recognition &marker, const Measurement &measurement, MeasureMemory &memory);
 
-/*! Whether the codeword of such a marker is the likeliest by far for what is seen of it. */
-bool isLikeliestThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                              const Measurement &measurement, MeasureMemory &memory);
+/*!
+  Whether a marker that something covers, but that cannot be read as a covered one, is what it was read as: without a
+  correction, and the image is like it but for what covers it; or its codeword is the likeliest by far for what is seen.
+*/
+bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                          const Measurement &measurement, MeasureMemory &memory);
 
 /*!
   Share of the directions in which the image shows the outer edge of a marker of which a part is covered: just inside

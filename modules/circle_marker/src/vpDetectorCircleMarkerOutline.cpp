@@ -176,8 +176,7 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
       return again;
     }
   }
-  const bool isKept = !covered && (marker.code.hamming == 0 && !measurement.first.photometry.shadow);
-  return isKept || (!covered && isLikeliestThoughCovered(visit.I, visit.camera, marker, measurement, memory))
+  return !covered && isRightThoughCovered(visit.I, visit.camera, marker, measurement, memory)
              ? std::optional<Measurement>(measurement)
              : std::nullopt;
 }

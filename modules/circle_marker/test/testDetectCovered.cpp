@@ -124,6 +124,26 @@ TEST(DetectCovered, FaintOnesLeaveNoMoreThanNoise)
   }
 }
 
+// What is read without a correction is kept though something seems to cover it, if the image is like it; else what is
+// seen must tell its codeword from all others.
+TEST(DetectCovered, KeptThoughCoveredIfTheImageIsLikeIt)
+{
+  Random random = randomOfTest();
+  const MarkerScene scene = markerScene(random, golay23, 7, 70., 0.3, side);
+  const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), noise, random);
+  MeasureMemory memory;
+  const CameraModel camera(scene.camera());
+  auto measurement = measure(I, camera, recognisedAs(scene, 7, 0), true, memory);
+  ASSERT_TRUE(measurement);
+  const Recognition right = recognisedAs(scene, 7, 0);
+  const Recognition wrong = recognisedAs(scene, 27, 0);
+  EXPECT_TRUE(isRightThoughCovered(I, camera, right, *measurement, memory));
+  EXPECT_TRUE(isRightThoughCovered(I, camera, wrong, *measurement, memory));
+  measurement->first.correlation = 0.9;
+  EXPECT_TRUE(isRightThoughCovered(I, camera, right, *measurement, memory)) << "by its pixels";
+  EXPECT_FALSE(isRightThoughCovered(I, camera, wrong, *measurement, memory));
+}
+
 // Of an outer edge that is seen in all directions all is visible; of one behind a half plane the angle in front of it.
 TEST(DetectCovered, VisibleEdgeIsTheShareOfItsDirections)
 {
