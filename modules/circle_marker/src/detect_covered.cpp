@@ -42,9 +42,8 @@ constexpr double wholeExplained = 0.87;
 // something else is in it.
 constexpr double mostNoiseOfWhole = 1.5;
 constexpr double mostLackingOfWhole = 0.03;
-// A fit that correlates with the image by less than this has most of its residuals from noise, which is known: what it
-// leaves is then no more than this factor above the image's. Of 2700 markers in noise or of little contrast it was at
-// most 1.04 times that; a faint ring of something else left 1.34 times it.
+// A fit that correlates with the image by less than this has most of its residuals from noise, which is known to some
+// hundredths: what it leaves is then no more than this factor above the image's.
 constexpr double correlationOfPrint = 0.95;
 constexpr double mostNoiseAlone = 1.2;
 // And of its outline this share is found.

@@ -191,7 +191,7 @@ TEST(EllipseCandidates, MostAreFoundBehindThreeBars)
       }
     }
   }
-  EXPECT_GE(found, 54); // 57 or more, but for one run in a thousand
+  EXPECT_GE(found, 57); // 60 are; 34 by single arcs
 }
 
 TEST(EllipseCandidates, BrightDiscsAreNone)

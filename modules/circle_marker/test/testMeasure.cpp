@@ -259,3 +259,31 @@ TEST(Report, FramesSpinAndEllipse)
     }
   }
 }
+
+// What covers a marker draws its outline aside: one start is near the mirrored pose, the other one leads nowhere.
+TEST(Measure, CoveredMarkersAreSoughtAtTheMirroredPoseToo)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), i, 60.,
+                                          uniform(random, 0.6, 0.8), side);
+    const vpImage<unsigned char> I = digitise(expose(side, side, 0.7, scene), 2., random);
+    Recognition marker = recognised(scene, i, true);
+    marker.poses[1] = marker.poses[0]; // as if the right one had ended there, too
+    const CameraModel camera(scene.camera());
+    const auto normalOf = [&]() {
+      MeasureMemory memory;
+      const auto result = measure(I, camera, marker, true, memory);
+      return result ? Eigen::Vector3d(result->first.plane.rotation.col(2)) : Eigen::Vector3d(-Eigen::Vector3d::UnitZ());
+    };
+    EXPECT_GT(angleBetween(normalOf(), scene.rotation.col(2)), 0.5) << i << ": no start leads to it";
+    SeenParts seen;
+    seen.plane = scene.plane();
+    seen.directions = 92;
+    seen.ring.set();
+    seen.track.set();
+    seen.center.set();
+    marker.seen = seen;
+    EXPECT_LT(angleBetween(normalOf(), scene.rotation.col(2)), 0.05) << i;
+  }
+}

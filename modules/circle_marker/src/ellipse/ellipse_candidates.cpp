@@ -281,7 +281,7 @@ struct Search
     loose.resize(std::min(loose.size(), mostLoose));
   }
 
-  // Joins arcs by twos. An outline that comes of it takes all arcs along it, and those that have led to it before.
+  // Joins arcs by twos. What is along an outline that comes of it, however much of that is found, is done with.
   void joinArcs() const
   {
     gatherLoose();

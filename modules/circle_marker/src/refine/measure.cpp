@@ -235,6 +235,23 @@ struct RankedFits
   double noise = 0.;
 };
 
+// Fits from all starts on few pixels around some poses; those that are the same count once.
+RankedFits fitAround(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
+                     const Recognition &marker, const MarkerPattern &pattern, const FitSettings &settings,
+                     const Few<MarkerPlane> &around, const BlurParameters &blur, const Few<FitStart> &starts,
+                     MeasureMemory &memory)
+{
+  selectFewPixels(I, camera, frame, around.data(), around.size(), pattern, blur, memory.pixels);
+  dropCovered(marker, memory.pixels);
+  RankedFits ranked;
+  ranked.fits = fitAll(memory.pixels, starts, pattern, settings, givenUpOdds, *memory.fitter);
+  if (!ranked.fits.empty()) {
+    ranked.noise = rank(memory.pixels, pattern, settings.exactBends, ranked.fits, *memory.fitter);
+    keepTwo(ranked.fits);
+  }
+  return ranked;
+}
+
 // Coarse fits from all starts on few pixels around them; if the best has come far from its start, again on the pixels
 // around where it is now.
 RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
@@ -249,15 +266,12 @@ RankedFits fitFewPixels(const vpImage<unsigned char> &I, const CameraModel &came
   Few<FitStart> starts = startsOf(marker.poses, camera, settings.spinIsKnown);
   BlurParameters blur; // of a sharp picture
   for (int look = 0; look < mostLooks; ++look) {
-    selectFewPixels(I, camera, frame, around.data(), around.size(), pattern, blur, memory.pixels);
-    dropCovered(marker, memory.pixels);
-    Few<FittedPose> fits = fitAll(memory.pixels, starts, pattern, settings, givenUpOdds, *memory.fitter);
-    if (fits.empty()) {
+    const RankedFits now = fitAround(I, camera, frame, marker, pattern, settings, around, blur, starts, memory);
+    if (now.fits.empty()) {
       break;
     }
-    ranked.noise = rank(memory.pixels, pattern, settings.exactBends, fits, *memory.fitter);
-    keepTwo(fits);
-    ranked.fits = fits;
+    ranked = now;
+    const Few<FittedPose> &fits = ranked.fits;
     const MarkerPlane &best = fits[0].plane;
     const auto isNear = [&](const MarkerPlane &looked) {
       return outlineMotion(looked, best) < farOff * meterPerPixelAt(best, camera);
@@ -291,26 +305,23 @@ void addMirrored(const vpImage<unsigned char> &I, const CameraModel &camera, con
                  const Recognition &marker, const MarkerPattern &pattern, const FitSettings &settings,
                  MeasureMemory &memory, RankedFits &ranked)
 {
-  Few<FittedPose> &fits = ranked.fits;
+  const Few<FittedPose> &fits = ranked.fits;
   if (fits.empty() || (fits.size() > 1 && isSameLight(fits[0].photometry, fits[1].photometry))) {
     return;
   }
-  const std::array<MarkerPlane, 2> around = {fits[0].plane, mirrored(fits[0].plane)};
-  selectFewPixels(I, camera, frame, around.data(), around.size(), pattern, boundedBlur(fits[0].photometry.blur),
-                  memory.pixels);
-  dropCovered(marker, memory.pixels);
+  Few<MarkerPlane> around;
   Few<FitStart> starts;
-  for (const MarkerPlane &plane : around) {
+  for (const MarkerPlane &plane : {fits[0].plane, mirrored(fits[0].plane)}) {
+    around.push_back(plane);
     starts.push_back({plane, fits[0].photometry, std::nullopt});
   }
   if (fits.size() > 1) {
     starts.push_back({fits[1].plane, fits[1].photometry, std::nullopt});
   }
-  Few<FittedPose> again = fitAll(memory.pixels, starts, pattern, settings, givenUpOdds, *memory.fitter);
-  if (!again.empty()) {
-    ranked.noise = rank(memory.pixels, pattern, settings.exactBends, again, *memory.fitter);
-    keepTwo(again);
-    fits = again;
+  const BlurParameters blur = boundedBlur(fits[0].photometry.blur);
+  const RankedFits again = fitAround(I, camera, frame, marker, pattern, settings, around, blur, starts, memory);
+  if (!again.fits.empty()) {
+    ranked = again;
   }
 }
 
