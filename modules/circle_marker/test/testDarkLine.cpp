@@ -28,7 +28,7 @@ namespace {
 constexpr unsigned int side = 100;
 constexpr double blur = 0.9;
 constexpr double rise = 3.; // grey levels
-constexpr std::size_t most = 48;
+const LineSearch all = {48, 0.};
 
 // Image of a point of the marker's plane, in units of the radius.
 Eigen::Vector2d project(const MarkerScene &scene, const Eigen::Vector2d &onPlane)
@@ -103,11 +103,11 @@ TEST(DarkLine, IsTheMiddleOfTheRing)
       const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), 1., random);
       std::vector<EdgePoint> line;
       const std::vector<EdgePoint> inside = insideOf(scene);
-      fromInside += darkLineBeside(I, inside.data(), inside.size(), RingNeighbour::INSIDE, rise, most, line) / scenes;
+      fromInside += darkLineBeside(I, inside.data(), inside.size(), RingNeighbour::INSIDE, rise, all, line) / scenes;
       expectMiddleOfRing(scene, line);
-      EXPECT_LE(line.size(), most);
+      EXPECT_LE(line.size(), all.most);
       const std::vector<EdgePoint> sheet = sheetOf(scene);
-      fromSheet += darkLineBeside(I, sheet.data(), sheet.size(), RingNeighbour::SHEET, rise, most, line) / scenes;
+      fromSheet += darkLineBeside(I, sheet.data(), sheet.size(), RingNeighbour::SHEET, rise, all, line) / scenes;
       expectMiddleOfRing(scene, line);
     }
     EXPECT_GT(fromInside, 0.9) << "of the directions, ground " << ground;
@@ -141,9 +141,29 @@ TEST(DarkLine, NoneOnAnEmptySheetNorBeyondTheImage)
   scene.black = scene.white;
   const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), 0., random);
   std::vector<EdgePoint> line;
-  EXPECT_EQ(darkLineBeside(I, sheet.data(), sheet.size(), RingNeighbour::SHEET, rise, most, line), 0.);
-  EXPECT_EQ(darkLineBeside(I, inside.data(), inside.size(), RingNeighbour::INSIDE, rise, most, line), 0.);
+  EXPECT_EQ(darkLineBeside(I, sheet.data(), sheet.size(), RingNeighbour::SHEET, rise, all, line), 0.);
+  EXPECT_EQ(darkLineBeside(I, inside.data(), inside.size(), RingNeighbour::INSIDE, rise, all, line), 0.);
   EXPECT_TRUE(line.empty());
   const vpImage<unsigned char> corner(8, 8, 100);
-  EXPECT_EQ(darkLineBeside(corner, sheet.data(), sheet.size(), RingNeighbour::SHEET, rise, most, line), 0.);
+  EXPECT_EQ(darkLineBeside(corner, sheet.data(), sheet.size(), RingNeighbour::SHEET, rise, all, line), 0.);
+}
+
+TEST(DarkLine, TheSearchEndsWhereTooFewCanBeLeft)
+{
+  Random random = randomOfTest();
+  const MarkerScene scene = thinScene(random, 20.);
+  const vpImage<unsigned char> seen = digitise(expose(side, side, blur, scene), 1., random);
+  const std::vector<EdgePoint> inside = insideOf(scene);
+  std::vector<EdgePoint> line;
+  // A first quarter of the edge beyond the image: three quarters are left, and no more.
+  std::vector<EdgePoint> cut = inside;
+  for (std::size_t i = 0; i < cut.size() / 4; ++i) {
+    cut[i].position += Eigen::Vector2d(2. * side, 0.);
+  }
+  const double share = darkLineBeside(seen, cut.data(), cut.size(), RingNeighbour::INSIDE, rise, all, line);
+  EXPECT_GT(share, 0.5);
+  EXPECT_EQ(darkLineBeside(seen, cut.data(), cut.size(), RingNeighbour::INSIDE, rise, {all.most, share}, line), share);
+  const std::size_t found = line.size();
+  EXPECT_LT(darkLineBeside(seen, cut.data(), cut.size(), RingNeighbour::INSIDE, rise, {all.most, 0.9}, line), 0.9);
+  EXPECT_LT(line.size(), found);
 }

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "support/bilinear.h"
@@ -42,27 +43,31 @@ constexpr double leastInFew = 0.55;
 std::optional<Eigen::Vector2d> firstDarkLine(const vpImage<unsigned char> &I, const Eigen::Vector2d &from,
                                              const Eigen::Vector2d &direction, double reach, double rise)
 {
+  const auto positionAt = [&](double steps) { return Eigen::Vector2d(from + steps * step * direction); };
+  if (!isBetweenPixels(I, from)) {
+    return std::nullopt;
+  }
+  std::size_t steps = std::min(static_cast<std::size_t>(reach / step), mostSteps);
+  while (!isBetweenPixels(I, positionAt(static_cast<double>(steps)))) { // and then all that are nearer are
+    --steps;
+  }
   std::array<double, mostSteps + 1> greys;
-  const std::size_t steps = std::min(static_cast<std::size_t>(reach / step), mostSteps);
   double brightest = 0.;
   std::size_t darkest = 0; // 0: not yet on the way down
   for (std::size_t i = 0; i <= steps; ++i) {
-    const auto grey = bilinear(I, from + static_cast<double>(i) * step * direction);
-    if (!grey) {
-      return std::nullopt;
-    }
-    greys[i] = *grey;
+    const double grey = bilinearBetween(I, positionAt(static_cast<double>(i)));
+    greys[i] = grey;
     if (darkest == 0) {
-      brightest = std::max(brightest, *grey);
-      darkest = *grey < brightest - rise ? i : 0;
+      brightest = std::max(brightest, grey);
+      darkest = grey < brightest - rise ? i : 0;
     }
-    else if (*grey < greys[darkest]) {
+    else if (grey < greys[darkest]) {
       darkest = i;
     }
-    else if (*grey > greys[darkest] + rise) {
+    else if (grey > greys[darkest] + rise) {
       const double curvature = greys[darkest - 1] - 2. * greys[darkest] + greys[darkest + 1];
       const double offset = curvature > 0. ? 0.5 * (greys[darkest - 1] - greys[darkest + 1]) / curvature : 0.;
-      return from + (static_cast<double>(darkest) + offset) * step * direction;
+      return positionAt(static_cast<double>(darkest) + offset);
     }
   }
   return std::nullopt;
@@ -78,6 +83,25 @@ template <class PositionOf> Eigen::Vector2d middleOf(std::size_t count, const Po
   return sum / static_cast<double>(count);
 }
 
+// The points of an edge whose directions are asked.
+struct Directions
+{
+  // most: of them at most.
+  Directions(std::size_t points, std::size_t most)
+      : stride(1 + points / most), count((points + stride - 1) / stride)
+  {
+  }
+
+  // How many may show no line where a share must.
+  std::size_t mostMissed(double least) const
+  {
+    return count - std::min(count, static_cast<std::size_t>(std::ceil(least * static_cast<double>(count))));
+  }
+
+  std::size_t stride; // points
+  std::size_t count;
+};
+
 // The line beyond a point of a closed edge, if the ring is seen from there. outward: the way out of the ring.
 std::optional<Eigen::Vector2d> lineFrom(const vpImage<unsigned char> &I, const Eigen::Vector2d &from,
                                         const Eigen::Vector2d &outward, const Eigen::Vector2d &middle,
@@ -90,12 +114,14 @@ std::optional<Eigen::Vector2d> lineFrom(const vpImage<unsigned char> &I, const E
 } // namespace
 
 double darkLineBeside(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count,
-                      RingNeighbour neighbour, double rise, std::size_t most, std::vector<EdgePoint> &line)
+                      RingNeighbour neighbour, double rise, const LineSearch &search, std::vector<EdgePoint> &line)
 {
   const Eigen::Vector2d middle = middleOf(count, [&](std::size_t i) { return points[i].position; });
+  const Directions directions(count, search.most);
+  const std::size_t mostMissed = directions.mostMissed(search.least);
   line.clear();
-  std::size_t asked = 0;
-  for (std::size_t i = 0; i < count; i += 1 + count / most, ++asked) {
+  std::size_t missed = 0;
+  for (std::size_t i = 0; i < count && missed <= mostMissed; i += directions.stride) {
     const Eigen::Vector2d &from = points[i].position;
     // Squarely across the inner edge; a sheet has corners.
     const Eigen::Vector2d outward =
@@ -103,8 +129,11 @@ double darkLineBeside(const vpImage<unsigned char> &I, const EdgePoint *points, 
     if (const auto position = lineFrom(I, from, outward, middle, neighbour, rise)) {
       line.push_back({*position, outward});
     }
+    else {
+      ++missed;
+    }
   }
-  return static_cast<double>(line.size()) / static_cast<double>(asked);
+  return static_cast<double>(line.size()) / static_cast<double>(directions.count);
 }
 
 bool mayHaveDarkLineBeside(const vpImage<unsigned char> &I, const EdgePixel *pixels, std::size_t count,
@@ -112,13 +141,14 @@ bool mayHaveDarkLineBeside(const vpImage<unsigned char> &I, const EdgePixel *pix
 {
   const auto positionOf = [&](std::size_t i) { return Eigen::Vector2d(pixels[i].x, pixels[i].y); };
   const Eigen::Vector2d middle = middleOf(count, positionOf);
-  std::size_t asked = 0;
-  std::size_t shown = 0;
-  for (std::size_t i = 0; i < count; i += 1 + count / fewDirections, ++asked) {
+  const Directions directions(count, fewDirections);
+  const std::size_t mostMissed = directions.mostMissed(leastInFew);
+  std::size_t missed = 0;
+  for (std::size_t i = 0; i < count && missed <= mostMissed; i += directions.stride) {
     const Eigen::Vector2d from = positionOf(i);
-    shown += lineFrom(I, from, (from - middle).normalized(), middle, neighbour, rise) ? 1 : 0;
+    missed += lineFrom(I, from, (from - middle).normalized(), middle, neighbour, rise) ? 0 : 1;
   }
-  return static_cast<double>(shown) >= leastInFew * static_cast<double>(asked);
+  return missed <= mostMissed;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -39,6 +39,13 @@ enum class RingNeighbour
   SHEET   //!< That of the sheet, on ground brighter or darker than paper.
 };
 
+/*! How much of an edge is asked for a line. */
+struct LineSearch
+{
+  std::size_t most = 48; //!< Directions at most.
+  double least = 0.;     //!< Share of them that must show a line: the search ends where that cannot be any more.
+};
+
 /*!
   Follows the directions from a closed edge to the first dark line on the way to the ring, from the white inside away
   from it, from the sheet towards its middle; to a fraction of a pixel by a parabola through three samples.
@@ -46,12 +53,12 @@ enum class RingNeighbour
   \param points, count : The closed edge.
   \param neighbour : What it is the edge of.
   \param rise : By how much, in grey levels, the line must be darker than what lies before and beyond it.
-  \param most : Directions at most.
+  \param search : How much of the edge is asked.
   \param line : The points of the line, with the way out of the ring as the way across.
-  \return The share of directions that show a line.
+  \return The share of directions that show a line; something below search.least if it is less than that.
 */
 double darkLineBeside(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count,
-                      RingNeighbour neighbour, double rise, std::size_t most, std::vector<EdgePoint> &line);
+                      RingNeighbour neighbour, double rise, const LineSearch &search, std::vector<EdgePoint> &line);
 
 /*!
   A first look at a few directions from the middle of a closed chain of pixels: most of what is no ring shows it there.

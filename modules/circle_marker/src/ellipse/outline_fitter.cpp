@@ -180,7 +180,8 @@ EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const 
   candidate.isByLine = true;
   candidate.points.reserve(mostSamples);
   const double rise = riseBesideLine(gradient);
-  candidate.support = darkLineBeside(I, points, count, neighbour, rise, mostFirstSamples, candidate.points);
+  const LineSearch search = {mostFirstSamples, leastDarkLine};
+  candidate.support = darkLineBeside(I, points, count, neighbour, rise, search, candidate.points);
   if (candidate.support < leastDarkLine) {
     return EllipseReject::BRIGHT_INSIDE;
   }

@@ -24,6 +24,8 @@
 #include <cstring>
 #include <optional>
 
+#include "support/prefetch.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
@@ -41,16 +43,6 @@ constexpr std::uint8_t walked = 2;  // one has passed here
 // How far ahead of a walk, steps, memory is asked for: each row of a large image is on another page, and what is not in
 // the nearest caches takes as long as five to ten steps.
 constexpr std::ptrdiff_t stepsToPrefetch = 8;
-
-// Asks for memory that will be needed soon. It may be anywhere, outside of the image too.
-void prefetch(const void *place)
-{
-#if defined(__GNUC__)
-  __builtin_prefetch(place);
-#else
-  static_cast<void>(place);
-#endif
-}
 
 // Sectors of the direction of an edge: of each quadrant three, nearer than 22.5 degrees to the one axis, between, or
 // nearer to the other.
