@@ -103,10 +103,11 @@ TEST(DetectorDebug, AMarkerIsACandidateWithoutAReason)
   detector.setDebug(true);
   ASSERT_TRUE(detector.detect(I));
   const vpCircleMarkerDebug &debug = detector.getDebug();
-  ASSERT_EQ(debug.scales.size(), 2u);
+  ASSERT_EQ(debug.scales.size(), 3u);
   EXPECT_NEAR(debug.scales[0].noise, 2., 0.5); // the simulator's usual noise
   EXPECT_EQ(debug.scales[0].edges.getWidth(), width);
   EXPECT_EQ(debug.scales[1].edges.getWidth(), width / 2);
+  EXPECT_EQ(debug.scales[2].edges.getWidth(), width / 4);
   EXPECT_FALSE(debug.scales[0].chains.empty());
   unsigned int taken = 0;
   unsigned int pieces = 0;
@@ -242,7 +243,6 @@ TEST(DetectorDebug, ACodeThatIsHalfCoveredHasALowMarginOrNoCodeword)
 
 TEST(DetectorDebug, WithoutTimeTheReasonIsThat)
 {
-  Random random = randomOfTest();
   vpImage<unsigned char> I = sheet();
   cv::Mat pixels = pixelsOf(I);
   for (int y = 14; y + 14 <= pixels.rows; y += 28) {

@@ -55,7 +55,7 @@ struct Visit
   vpCircleMarkerFamily family{vpCircleMarkerFamily::GOLAY23};
   DecodeSettings settings;
   OutlineMemory memory;
-  SoughtCenters sought{true, false};
+  SoughtCenters sought{true, false, family.getLayout().ringInner}; // as the detector does
   Workers workers;
   const ReusedList<EllipseCandidate> *outlines = nullptr;
   std::vector<Recognition> markers;
@@ -97,7 +97,7 @@ void ellipses(Visit &visit)
                full.ellipses);
 }
 
-// All rooms up to the outlines, at both scales.
+// All rooms up to the outlines, at all scales.
 void outlines(Visit &visit)
 {
   visit.outlines = &findOutlines(visit.scene.image, visit.sought, visit.workers, Deadline(), visit.memory);

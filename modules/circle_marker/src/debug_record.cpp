@@ -35,7 +35,7 @@ struct ToImage
 
   vpImagePoint operator()(const Eigen::Vector2d &p) const
   {
-    // A pixel of the half covers two, and its centre lies between theirs.
+    // A pixel of the half covers two, and its centre lies between theirs; one of the quarter four.
     const double shift = 0.5 * (pixel - 1.);
     return origin + vpImagePoint(pixel * p.y() + shift, pixel * p.x() + shift);
   }
@@ -114,7 +114,13 @@ void recordScale(const OutlineMemory::Scale &memory, const ToImage &toImage, vpC
 void recordOutlines(const OutlineMemory &memory, const vpImagePoint &origin, vpCircleMarkerDebug &debug)
 {
   recordScale(memory.full, {origin, 1.}, debug);
-  recordScale(memory.half, {origin, 2.}, debug);
+  double pixel = 1.;
+  for (const OutlineMemory::ReducedScale &scale : memory.reduced) {
+    pixel *= 2.;
+    if (scale.isUsed) {
+      recordScale(scale, {origin, pixel}, debug);
+    }
+  }
 }
 
 vpCircleMarkerCandidate candidateOf(const EllipseCandidate &outline, const vpCircleMarkerFamily &family,

@@ -26,7 +26,7 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  Adds what the rooms up to the outlines have seen, at both scales.
+  Adds what the rooms up to the outlines have seen, at all scales.
   \param memory : Their memory, after findOutlines().
   \param origin : Where their image begins in the whole one, pixels.
   \param debug : To this.

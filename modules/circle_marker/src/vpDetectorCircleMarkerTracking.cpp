@@ -134,8 +134,7 @@ void vpDetectorCircleMarker::Impl::searchRegion(const Visit &visit, const PixelB
 {
   copyRegion(visit.I, box, m_region);
   m_regions.keepsRefusals(keepsDebug);
-  m_regions.full.gradient.noise = m_outlines.full.gradient.noise;
-  m_regions.half.gradient.noise = m_outlines.half.gradient.noise;
+  m_regions.takeNoise(m_outlines);
   findOutlines(m_region, soughtCenters(), m_workers, visit.deadline, m_regions, NoiseSource::KNOWN);
   if (keepsDebug) {
     recordOutlines(m_regions, vpImagePoint(box.top, box.left), debug);

@@ -105,6 +105,33 @@ TEST(BlurredMarker, PoseAndBlurAreFoundFromNearby)
   }
 }
 
+// Depth and tilt trade for each other: from either side of the pose the fit ends at the same one, by what it is said to
+// be known to.
+TEST(BlurredMarker, ThePoseDoesNotDependOnTheStart)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 5; ++i) {
+    const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+    MarkerScene scene = markerScene(random, family, static_cast<int>(random() % family.getNbIds()),
+                                    uniform(random, 26., 34.), uniform(random, 0.5, 0.8), side);
+    scene.sheet = 2.;
+    const vpImage<unsigned char> I = imageOf(scene, random);
+    const CameraModel camera(scene.camera());
+    BlurredMarker marker(I, camera, scene.family);
+    std::array<BlurredFit, 2> fits;
+    for (std::size_t k = 0; k < fits.size(); ++k) {
+      fits[k] = fitOf(scene);
+      marker.select(scene.plane(), fits[k].blur, samples);
+      fits[k].plane.center.z() *= k == 0 ? 0.985 : 1.015;
+      marker.solve(fits[k]);
+      marker.improve(fits[k], 20, true);
+    }
+    const Eigen::Vector3d depth = fits[0].plane.rotation.row(2).transpose() * fits[0].plane.radius;
+    const double variance = depth.dot(marker.covariance(fits[0]).topLeftCorner<3, 3>() * depth);
+    EXPECT_LT(std::abs(fits[0].plane.center.z() - fits[1].plane.center.z()), std::sqrt(variance));
+  }
+}
+
 TEST(BlurredMarker, NothingFitsAfterTheDeadline)
 {
   Random random = randomOfTest();

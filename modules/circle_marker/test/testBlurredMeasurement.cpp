@@ -66,6 +66,15 @@ TEST(BlurredMeasurement, TheBetterExplanationIsTaken)
   EXPECT_TRUE(bestMeasurement(readThroughABlur(0.01), std::nullopt));
 }
 
+TEST(BlurredMeasurement, OfAWideDiscTheReadingIsTaken)
+{
+  Recognition marker = readThroughABlur(0.01);
+  marker.blurred->disc = 0.1;
+  EXPECT_TRUE(takesMeasured(marker, 0.99, 4.));
+  marker.blurred->disc = 0.15;
+  EXPECT_FALSE(takesMeasured(marker, 0.99, 4.));
+}
+
 // Noise of a twelfth of the contrast leaves three hundredths of the variance, and sharp edges.
 TEST(BlurredMeasurement, NoiseIsNoBlur)
 {

@@ -38,9 +38,10 @@ constexpr double leastKernel = 0.3;
 constexpr double sectorPrior = 0.05;
 // Share of the quiet zone that samples may see.
 constexpr double seenQuietZone = 0.9;
-// Steps by which derivatives are taken: radii and rad, and pixels.
-constexpr double poseStep = 1e-3;
-constexpr double blurStep = 0.05;
+// Steps by which derivatives are taken: radii and rad, and pixels. Small: the depth is a difference of things that are
+// known a hundred times better, and the second derivative's share of a step of 1e-3 hides its slope.
+constexpr double poseStep = 1e-5;
+constexpr double blurStep = 5e-4;
 // What is left between model and image is the model's error more than noise, and much the same in neighbouring samples:
 // the information of about so many counts once. The number is a guess; bench-circle-marker --hardships has what it is
 // worth.
@@ -328,7 +329,7 @@ bool BlurredMarker::linearise(const BlurredFit &fit, int poseSize, Eigen::Matrix
 void BlurredMarker::improve(BlurredFit &fit, int steps, bool movesSpin)
 {
   constexpr int mostTrials = 4;
-  constexpr double leastGain = 1e-3; // share of the squares: less is the end
+  constexpr double leastGain = 1e-4; // share of the squares, a twentieth of a sample's: less is the end
   const int poseSize = movesSpin ? 6 : 5;
   const int moving = poseSize + (fit.blur.disc > 0. ? 1 : 2);
   double damping = 1e-3;

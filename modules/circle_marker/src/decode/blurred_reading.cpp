@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/LU>
@@ -252,7 +253,7 @@ MarkerPlane twinOf(const MarkerPlane &plane, const CameraModel &camera)
   return (*poses)[cosine(0) < cosine(1) ? 0 : 1];
 }
 
-// Fits the twin as well, and tells how well both are known.
+// Fits the twin as well, puts the better first, and tells how well both are known.
 void fitBoth(BlurredMarker &marker, const CameraModel &camera, BlurredReading &reading)
 {
   constexpr double samePose = 0.02; // rad between two normals: less is one pose
@@ -266,6 +267,9 @@ void fitBoth(BlurredMarker &marker, const CameraModel &camera, BlurredReading &r
   twin.blur = fit.blur;
   marker.solve(twin);
   marker.improve(twin, finishedSteps, true);
+  if (twin.squares < fit.squares) {
+    std::swap(fit, twin);
+  }
   const auto freedom = static_cast<double>(fit.samples) - static_cast<double>(fit.linear.size()) - 8.; // pose, blur
   const double variance = fit.squares / std::max(freedom, 1.);
   reading.poses.covariance[0] = marker.covariance(fit);
@@ -347,6 +351,7 @@ std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const
     return std::nullopt; // and no time is spent on its poses
   }
   fitBoth(marker, camera, *best);
+  best->poses.disc = best->fit.blur.disc / outline.a;
   return deadline.hasPassed() ? std::nullopt : best;
 }
 } // namespace circle_marker

@@ -37,13 +37,14 @@ struct BlurredPoses
   std::array<double, 2> cost = {{0., HUGE_VAL}}; //!< Negative log-likelihoods; HUGE_VAL if there is no second.
   double noise = 0.;                             //!< Root mean square of the residuals, grey levels.
   double unexplained = 1.;                       //!< Share of the variance that is left.
+  double disc = 0.;                              //!< Radius of a defocus, by the outline's major semi-axis.
 };
 
 /*! What was read through a blur. */
 struct BlurredReading
 {
-  BlurredFit fit;          //!< Pose, spin zero at the start of a sector, and blur.
-  MarkerPlane twin;        //!< The other pose of the same circle, fitted as well.
+  BlurredFit fit;          //!< The better pose, spin zero at the start of a sector, and blur.
+  MarkerPlane twin;        //!< The other pose of the same circle.
   BlurredPoses poses;      //!< How well both are known.
   CodeReading code;        //!< Its margin: 1 - what the codeword leaves unexplained, by what the next one leaves.
   double unexplained = 1.; //!< Share of the variance that the codeword leaves.

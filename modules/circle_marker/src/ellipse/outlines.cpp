@@ -12,12 +12,13 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Outlines of markers at two scales of the image.
+ * Outlines of markers at three scales of the image.
  */
 
 #include "ellipse/outlines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -26,9 +27,10 @@ namespace circle_marker {
 namespace {
 // The outline of the smallest marker that can be read, with a minor axis of 4 pixels, has 20 pixels.
 constexpr std::size_t shortestChain = 14;
-// Of the half-size image only outlines of this semi-minor axis count, pixels of the half: smaller ones are found at
-// full size or not worth it.
-constexpr double leastHalfSemiMinor = 5.;
+// Of a reduced image only outlines of this semi-minor axis count, its pixels: smaller ones are found at a larger size or
+// not worth it. And images that have no room for one, and three pixels on either side for its edge, are not reduced.
+constexpr double leastReducedSemiMinor = 5.;
+constexpr unsigned int leastReducedSide = 16;
 
 // Rows of the image that a thread takes at once.
 constexpr int rowsAtOnce = 64;
@@ -69,25 +71,76 @@ void halve(const vpImage<unsigned char> &I, vpImage<unsigned char> &half)
   }
 }
 
-// From pixels of the half-size image: pixel u' covers 2 u' and 2 u' + 1, its centre is at 2 u' + 1/2.
-constexpr double halfScale = 2.;
-constexpr double halfShift = 0.5;
-
-EllipseParameters enlarged(EllipseParameters ellipse)
+// From pixels of a reduced image: with a scale of 2, pixel u' covers 2 u' and 2 u' + 1, and its centre is at 2 u' + 1/2.
+struct Enlargement
 {
-  ellipse.center = halfScale * ellipse.center + Eigen::Vector2d(halfShift, halfShift);
-  ellipse.a *= halfScale;
-  ellipse.b *= halfScale;
-  return ellipse;
-}
+  explicit Enlargement(std::size_t halvings)
+      : scale(std::ldexp(1., static_cast<int>(halvings))), shift(0.5 * (scale - 1.))
+  {
+  }
 
-void enlarge(EllipseCandidate &outline)
+  Eigen::Vector2d operator()(const Eigen::Vector2d &position) const
+  {
+    return scale * position + Eigen::Vector2d(shift, shift);
+  }
+
+  EllipseParameters operator()(EllipseParameters ellipse) const
+  {
+    ellipse.center = (*this)(ellipse.center);
+    ellipse.a *= scale;
+    ellipse.b *= scale;
+    return ellipse;
+  }
+
+  double scale;
+  double shift;
+};
+
+void enlarge(const Enlargement &enlarged, EllipseCandidate &outline)
 {
-  const Eigen::Vector2d shift(halfShift, halfShift);
   outline.ellipse = enlarged(outline.ellipse);
   outline.conic = conicFromEllipse(outline.ellipse);
   for (EdgePoint &point : outline.points) {
-    point.position = halfScale * point.position + shift;
+    point.position = enlarged(point.position);
+  }
+}
+
+// The image at all smaller scales, up to their chains.
+void linkReduced(const vpImage<unsigned char> &I, NoiseSource noise, const Deadline &deadline, OutlineMemory &memory)
+{
+  const vpImage<unsigned char> *larger = &I;
+  for (OutlineMemory::ReducedScale &scale : memory.reduced) {
+    halve(*larger, scale.image);
+    larger = &scale.image;
+    scale.isUsed = std::min(scale.image.getWidth(), scale.image.getHeight()) >= leastReducedSide;
+    if (scale.isUsed) {
+      computeGradient(scale.image, scale.gradient, deadline, noise);
+      linkEdgeChains(scale.gradient, shortestChain, scale.chains, deadline);
+    }
+  }
+}
+
+// Adds the outlines of a smaller scale to those of the image.
+void addReduced(const Enlargement &enlarged, const SoughtCenters &sought, Workers &workers, const Deadline &deadline,
+                OutlineMemory::ReducedScale &scale, KnownOutlines &known)
+{
+  const OtherScale atFull = {&known, enlarged.scale, enlarged.shift};
+  findEllipses(scale.image, scale.gradient, scale.chains, sought, atFull, workers, deadline, scale.ellipses);
+  for (EllipseCandidate &outline : scale.ellipses.known.outlines) {
+    EllipseReject reason = EllipseReject::NONE;
+    if (outline.ellipse.b < leastReducedSemiMinor) {
+      reason = EllipseReject::TOO_SHORT;
+    }
+    else if (known.hasSame(enlarged(outline.ellipse))) {
+      reason = EllipseReject::KNOWN_OUTLINE;
+    }
+    if (reason == EllipseReject::NONE) {
+      enlarge(enlarged, outline);
+      known.take(outline);
+    }
+    else if (scale.ellipses.keepsRefusals) {
+      scale.ellipses.benches.front().refusals.push_back({0, reason, outline.ellipse, outline.points});
+    }
   }
 }
 } // namespace
@@ -97,37 +150,21 @@ const ReusedList<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I
                                                  NoiseSource noise)
 {
   OutlineMemory::Scale &full = memory.full;
-  OutlineMemory::Scale &half = memory.half;
   computeGradient(I, noise, workers, deadline, full.gradient);
-  workers.run(2, [&](std::size_t scale, unsigned int) {
-    if (scale == 0) {
+  workers.run(2, [&](std::size_t part, unsigned int) {
+    if (part == 0) {
       linkEdgeChains(full.gradient, shortestChain, full.chains, deadline);
     }
     else {
-      halve(I, memory.halved);
-      computeGradient(memory.halved, half.gradient, deadline, noise);
-      linkEdgeChains(half.gradient, shortestChain, half.chains, deadline);
+      linkReduced(I, noise, deadline, memory);
     }
   });
   findEllipses(I, full.gradient, full.chains, sought, OtherScale(), workers, deadline, full.ellipses);
-  const OtherScale atFull = {&full.ellipses.known, halfScale, halfShift};
-  findEllipses(memory.halved, half.gradient, half.chains, sought, atFull, workers, deadline, half.ellipses);
   KnownOutlines &known = full.ellipses.known;
-  for (EllipseCandidate &outline : half.ellipses.known.outlines) {
-    EllipseReject reason = EllipseReject::NONE;
-    if (outline.ellipse.b < leastHalfSemiMinor) {
-      reason = EllipseReject::TOO_SHORT;
-    }
-    else if (known.hasSame(enlarged(outline.ellipse))) {
-      reason = EllipseReject::KNOWN_OUTLINE;
-    }
-    if (reason == EllipseReject::NONE) {
-      enlarge(outline);
-      known.take(outline);
-    }
-    else if (half.ellipses.keepsRefusals) {
-      half.ellipses.benches.front().refusals.push_back({0, reason, outline.ellipse, outline.points});
-    }
+  SoughtCenters soughtReduced = sought;
+  for (std::size_t i = 0; i < memory.reduced.size() && memory.reduced[i].isUsed; ++i) {
+    addReduced(Enlargement(i + 1), soughtReduced, workers, deadline, memory.reduced[i], known);
+    soughtReduced.thinRing = 0.; // what is thin at a quarter is not at the full size
   }
   std::sort(known.outlines.begin(), known.outlines.end(),
             [](const EllipseCandidate &p, const EllipseCandidate &q) { return p.ellipse.a > q.ellipse.a; });

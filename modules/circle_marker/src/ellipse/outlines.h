@@ -12,13 +12,13 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Outlines of markers at two scales of the image.
+ * Outlines of markers at three scales of the image.
  */
 
 #ifndef VP_CIRCLE_MARKER_OUTLINES_H
 #define VP_CIRCLE_MARKER_OUTLINES_H
 
-#include <vector>
+#include <array>
 
 #include "ellipse/ellipse_candidates.h"
 
@@ -34,25 +34,46 @@ struct OutlineMemory
     EdgeChains chains;
     EllipseMemory ellipses;
   };
+  /*! A smaller scale, and the image there. */
+  struct ReducedScale : Scale
+  {
+    vpImage<unsigned char> image;
+    bool isUsed = false; //!< Whether it has room for a marker.
+  };
   Scale full;
-  Scale half;
-  vpImage<unsigned char> halved;
+  std::array<ReducedScale, 2> reduced; //!< Half and quarter.
 
-  /*! Sets whether the refusals of both scales are kept, to be shown. */
-  void keepsRefusals(bool kept) { full.ellipses.keepsRefusals = half.ellipses.keepsRefusals = kept; }
+  /*! Sets whether the refusals of all scales are kept, to be shown. */
+  void keepsRefusals(bool kept)
+  {
+    full.ellipses.keepsRefusals = kept;
+    for (ReducedScale &scale : reduced) {
+      scale.ellipses.keepsRefusals = kept;
+    }
+  }
+
+  /*! Takes over the noise of all scales, for NoiseSource::KNOWN. */
+  void takeNoise(const OutlineMemory &other)
+  {
+    full.gradient.noise = other.full.gradient.noise;
+    for (std::size_t i = 0; i < reduced.size(); ++i) {
+      reduced[i].gradient.noise = other.reduced[i].gradient.noise;
+    }
+  }
 };
 
 /*!
-  Finds the outlines that may be markers: segment, edges and ellipse rooms, once on the image and once on its half.
+  Finds the outlines that may be markers: segment, edges and ellipse rooms, on the image, its half and its quarter.
 
   Edges of several pixels' width (blur, motion, enlarged or compressed pictures) break into pieces at full size and are
-  sharp at half; thin rings are seen at full size only. An outline that both see is taken from the full size.
+  sharp at half or at a quarter; thin rings are seen at full size only. An outline that several see is taken from the
+  largest.
   \param I : The image.
   \param sought : What the markers have inside.
   \param workers : Threads; the result does not depend on their number.
   \param deadline : When to stop; what is found by then is kept.
   \param memory : Working memory.
-  \param noise : Where the noise of both scales is known from.
+  \param noise : Where the noise of all scales is known from.
   \return The outlines in pixels of \e I, largest first; they stay in \e memory.
 */
 const ReusedList<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, const SoughtCenters &sought,

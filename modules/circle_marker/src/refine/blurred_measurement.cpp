@@ -31,6 +31,9 @@ constexpr double mostOfNoise = 0.02;
 // than such noise does, is the better one.
 constexpr double sharp = 2.;
 constexpr double mostOfMuchNoise = 0.06;
+// Of a disc with a larger radius than this, by the outline's major semi-axis, the Gaussian makes as much of an error as
+// the reading does, and does not know of it.
+constexpr double wideDisc = 0.135;
 
 FittedPose fittedPose(const Recognition &marker, std::size_t i)
 {
@@ -51,7 +54,7 @@ FittedPose fittedPose(const Recognition &marker, std::size_t i)
 bool isRight(const FittedPose &fit, const BlurredPoses &blurred)
 {
   const double unexplained = 1. - std::pow(fit.correlation, 2.);
-  return unexplained < blurred.unexplained + mostOfNoise ||
+  return (blurred.disc < wideDisc && unexplained < blurred.unexplained + mostOfNoise) ||
          (fit.photometry.blur.widest() < sharp && unexplained < mostOfMuchNoise);
 }
 } // namespace

@@ -241,8 +241,10 @@ std::vector<RoomPicture> roomPictures(const vpImage<unsigned char> &I, const vpD
   details.uncertainty = true;
   return {{"1-segment", segmentPicture(I, debug, 1.)},
           {"1-segment-half", segmentPicture(I, debug, 2.)},
+          {"1-segment-quarter", segmentPicture(I, debug, 4.)},
           {"2-edges", edgesPicture(I, debug, 1.)},
           {"2-edges-half", edgesPicture(I, debug, 2.)},
+          {"2-edges-quarter", edgesPicture(I, debug, 4.)},
           {"3-ellipses", ellipsesPicture(I, debug)},
           {"4-decode", decodePicture(I, debug)},
           {"5-poses", markerOverlay(I, detector.getDetections(), cam, details)}};

@@ -69,11 +69,11 @@ struct VISP_EXPORT vpCircleMarkerCandidate
 */
 struct vpCircleMarkerDebug
 {
-  /*! The image, or a region of it, in the first rooms, at full size or at half. */
+  /*! The image, or a region of it, in the first rooms, at full size, at half or at a quarter. */
   struct Scale
   {
     vpImagePoint origin;                           //!< Pixel (0, 0) of this scale covers the image from here on.
-    double pixel = 1.;                             //!< Side of a pixel of this scale, pixels of the image: 1 or 2.
+    double pixel = 1.;                             //!< Side of a pixel of this scale, pixels of the image: 1, 2 or 4.
     double noise = 0.;                             //!< Standard deviation of the noise, grey levels.
     double leastStart = 0.;                        //!< Step of an edge that starts a chain, grey levels.
     double leastStep = 0.;                         //!< Step of an edge that continues one, grey levels.
@@ -81,7 +81,7 @@ struct vpCircleMarkerDebug
     std::vector<std::vector<vpImagePoint>> chains; //!< Chains of edge pixels, pixels of the image.
   };
 
-  std::vector<Scale> scales;                       //!< Full size, then half, of each region that was searched.
+  std::vector<Scale> scales;                       //!< Full size, half, quarter, of each region that was searched.
   std::vector<vpCircleMarkerCandidate> candidates; //!< In the order in which the rooms settle them; markers, too.
 };
 
