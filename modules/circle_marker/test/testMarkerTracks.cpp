@@ -23,7 +23,7 @@ using namespace circle_marker;
 using namespace room_test;
 
 namespace {
-constexpr int width = 642; // no multiple of four
+constexpr int width = 642; // no multiple of eight
 constexpr int height = 481;
 
 SeenMarker seenAt(double u, double v, double a = 40., int id = 3)
@@ -98,8 +98,8 @@ TEST(MarkerTracks, BoxesFollowTheSpeed)
     ASSERT_EQ(boxes.size(), 1u);
     EXPECT_TRUE(contains(boxes[0], next.outline, 10.));
     EXPECT_LT(boxes[0].width(), 240);
-    EXPECT_EQ(boxes[0].left % 4, 0);
-    EXPECT_EQ(boxes[0].top % 4, 0);
+    EXPECT_EQ(boxes[0].left % 8, 0);
+    EXPECT_EQ(boxes[0].top % 8, 0);
     EXPECT_TRUE(tracks.haveAll({next}));
     tracks.follow({next}, width, height);
   }

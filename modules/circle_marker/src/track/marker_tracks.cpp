@@ -34,8 +34,8 @@ constexpr double marginWithoutSpeed = 0.5;
 constexpr double reachWithCode = 3.;
 // An outline that comes nearer to the side of its box, pixels, may be a piece of a larger one.
 constexpr double clearOfSide = 4.;
-// Corners of boxes are multiples of this: the half-size image starts its chains on every second row.
-constexpr int grid = 4;
+// Corners of boxes are multiples of this: the quarter-size image starts its chains on every second row.
+constexpr int grid = 8;
 // Beyond this share of the image, boxes take as long as the whole.
 constexpr double mostOfImage = 0.6;
 

@@ -67,7 +67,7 @@ public:
   void follow(const std::vector<SeenMarker> &seen, int width, int height);
 
   /*!
-    Where to look in the next image. No two of the boxes touch, and their corners are multiples of four pixels, so that
+    Where to look in the next image. No two of the boxes touch, and their corners are multiples of eight pixels, so that
     the rooms, which halve images and leave out rows, see in them what they would see in the whole image.
     \param width, height : Of the image; another size than that of the last one has no boxes.
     \return Empty if there is nothing to follow, or so much that looking at the whole image takes no longer.
