@@ -117,11 +117,14 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
 */
 void vpDetectorCircleMarker::Impl::allowBlurred(const Visit &visit, const Outlines &outlines)
 {
-  const bool isAsked = std::any_of(settings.families.begin(), settings.families.end(),
-                                   [](const vpCircleMarkerFamily &family) { return family.isCoded(); });
+  const auto hasAny = [this](const auto &isOne) {
+    return std::any_of(settings.families.begin(), settings.families.end(), isOne);
+  };
+  const bool hasRings = hasAny([](const auto &family) { return family.getType() == vpCircleMarkerFamily::RING; });
+  const bool isAsked = hasRings || hasAny([](const auto &family) { return family.isCoded(); });
   std::size_t allowed = 0;
   for (std::size_t i = 0; isAsked && i < outlines.size() && allowed < mostBlurred && !visit.deadline.hasPassed(); ++i) {
-    m_examinations[i].mayBeBlurred = !outlines[i].isByLine && looksBlurred(visit.I, outlines[i].ellipse);
+    m_examinations[i].mayBeBlurred = !outlines[i].isByLine && looksBlurred(visit.I, outlines[i].ellipse, !hasRings);
     allowed += m_examinations[i].mayBeBlurred ? 1 : 0;
   }
 }

@@ -19,6 +19,8 @@
 
 #include "decode/blurred_reading.h"
 
+#include <array>
+
 #include <gtest/gtest.h>
 
 using namespace circle_marker;
@@ -131,5 +133,43 @@ TEST(BlurredReading, NothingWithoutMarginOrTime)
   for (const double milliseconds : {1e-6, 1., 5.}) { // it takes a tenth of a second
     EXPECT_FALSE(readBlurred(I, camera, outline, scene.radius, scene.family, leastMargin, Deadline(milliseconds)))
         << milliseconds << " ms";
+  }
+}
+
+TEST(BlurredReading, RingsThatMoveAreFitted)
+{
+  constexpr int way = 17;
+  const vpCircleMarkerFamily ring(vpCircleMarkerFamily::RING);
+  Random random = randomOfTest();
+  for (int i = 0; i < 3; ++i) {
+    MarkerScene scene = markerScene(random, ring, -1, diameter, 0.3, side);
+    scene.sheet = 2.;
+    const vpImage<unsigned char> I = digitise(moved(expose(side, side, lens, scene), way), 1., random);
+    const CameraModel camera(scene.camera());
+    const auto reading = fitBlurredRing(I, camera, outlineOf(scene, way), scene.radius, ring);
+    ASSERT_TRUE(reading);
+    EXPECT_NEAR(reading->fit.blur.motion.norm(), way, 0.07 * way);
+    EXPECT_LT((reading->fit.plane.center - scene.center).head<2>().norm(), 0.02 * scene.radius);
+    EXPECT_LT(std::abs(reading->fit.plane.center.z() / scene.center.z() - 1.), 0.01);
+    const Eigen::Matrix<double, 6, 6> &covariance = reading->poses.covariance[0];
+    EXPECT_TRUE(covariance.allFinite());
+    EXPECT_GT(covariance.diagonal().head<5>().minCoeff(), 0.);
+    EXPECT_EQ(covariance(5, 5), 0.) << "its spin is held";
+  }
+}
+
+TEST(BlurredReading, NoRingWhereItsCentreIsFull)
+{
+  constexpr int way = 17;
+  const vpCircleMarkerFamily ring(vpCircleMarkerFamily::RING);
+  Random random = randomOfTest();
+  // A coded marker is more than its ring, and a thinner ring another one.
+  const std::array<MarkerScene, 2> scenes = {
+      sceneOf(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23)),
+      markerScene(random, vpCircleMarkerFamily::ring(0.9), -1, diameter, 0.2, side)};
+  for (MarkerScene scene : scenes) {
+    scene.sheet = 2.;
+    const vpImage<unsigned char> I = digitise(moved(expose(side, side, lens, scene), way), 1., random);
+    EXPECT_FALSE(fitBlurredRing(I, CameraModel(scene.camera()), outlineOf(scene, way), scene.radius, ring));
   }
 }

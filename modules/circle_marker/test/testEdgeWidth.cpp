@@ -89,8 +89,9 @@ TEST(LooksBlurred, MarkersThroughAStrongBlurOnly)
       const int id = static_cast<int>(random() % family.getNbIds());
       MarkerScene scene = markerScene(random, family, id, diameter, 0., side);
       scene.sheet = 2.;
-      EXPECT_TRUE(looksBlurred(photograph(side, side, 0.045 * diameter, scene), outlineOf(scene))) << family.getName();
-      EXPECT_FALSE(looksBlurred(photograph(side, side, 0.8, scene), outlineOf(scene))) << family.getName();
+      const vpImage<unsigned char> blurred = photograph(side, side, 0.045 * diameter, scene);
+      EXPECT_TRUE(looksBlurred(blurred, outlineOf(scene), true)) << family.getName();
+      EXPECT_FALSE(looksBlurred(photograph(side, side, 0.8, scene), outlineOf(scene), true)) << family.getName();
     }
   }
 }
@@ -99,8 +100,18 @@ TEST(LooksBlurred, NoBlurredDiscAndNothingSmall)
 {
   Random random = randomOfTest();
   const EllipseScene disc = {Eigen::Vector2d(100., 100.), 40., 40., 0.};
-  EXPECT_FALSE(looksBlurred(photograph(side, side, 3.6, disc), outlineOf(disc)));
+  EXPECT_FALSE(looksBlurred(photograph(side, side, 3.6, disc), outlineOf(disc), true));
   MarkerScene small = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 3, 16., 0., side);
   small.sheet = 2.;
-  EXPECT_FALSE(looksBlurred(photograph(side, side, 0.9, small), outlineOf(small)));
+  EXPECT_FALSE(looksBlurred(photograph(side, side, 0.9, small), outlineOf(small), true));
+}
+
+TEST(LooksBlurred, APlainRingHasNothingInItsTrack)
+{
+  Random random = randomOfTest();
+  MarkerScene ring = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 80., 0., side);
+  ring.sheet = 2.;
+  const vpImage<unsigned char> I = photograph(side, side, 3.6, ring);
+  EXPECT_TRUE(looksBlurred(I, outlineOf(ring), false));
+  EXPECT_FALSE(looksBlurred(I, outlineOf(ring), true));
 }

@@ -43,9 +43,10 @@ constexpr double seenQuietZone = 0.9;
 constexpr double poseStep = 1e-5;
 constexpr double blurStep = 5e-4;
 // What is left between model and image is the model's error more than noise, and much the same in neighbouring samples:
-// the information of about so many counts once. The number is a guess; bench-circle-marker --hardships has what it is
-// worth.
-constexpr double coherence = 4.;
+// the information of about so many counts once, of a plain ring, which the model's errors shift as a whole, of more. The
+// numbers are guesses; bench-circle-marker --hardships has what they are worth.
+constexpr double coherenceOfCode = 4.;
+constexpr double coherenceOfRing = 16.;
 
 // Share of what lies below an edge at \e distance (positive: inside) with a ramp of width \e width.
 double ramp(double distance, double width)
@@ -363,16 +364,25 @@ void BlurredMarker::improve(BlurredFit &fit, int steps, bool movesSpin)
   }
 }
 
+double BlurredMarker::coherence() const
+{
+  return m_sectors > 0 ? coherenceOfCode : coherenceOfRing;
+}
+
 Eigen::Matrix<double, 6, 6> BlurredMarker::covariance(const BlurredFit &fit)
 {
+  const int poseSize = m_sectors > 0 ? 6 : 5;
   Eigen::MatrixXd matrix;
   Eigen::VectorXd right;
-  if (!linearise(fit, 6, matrix, right)) {
+  if (!linearise(fit, poseSize, matrix, right)) {
     return Eigen::Matrix<double, 6, 6>::Identity();
   }
   const double freedom = std::max(static_cast<double>(m_samples.size()) - static_cast<double>(matrix.rows()), 1.);
   const Eigen::MatrixXd inverse = matrix.ldlt().solve(Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
-  return coherence * fit.squares / freedom * inverse.topLeftCorner<6, 6>();
+  Eigen::Matrix<double, 6, 6> result = Eigen::Matrix<double, 6, 6>::Zero();
+  result.topLeftCorner(poseSize, poseSize) =
+      coherence() * fit.squares / freedom * inverse.topLeftCorner(poseSize, poseSize);
+  return result;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -71,7 +71,7 @@ struct BlurredFit
 };
 
 /*!
-  Model of a coded marker through a blur of any size: each sample is the mean of the print over the points that the blur
+  Model of a marker through a blur of any size: each sample is the mean of the print over the points that the blur
   smears into it (a line of them for a motion, a disc for a defocus). Given pose and blur, the grey levels of light,
   ring and sectors are linear; pose and blur are found by Levenberg and Marquardt's method with these eliminated in each
   step (G. Golub and V. Pereyra, variable projection, SIAM J. Numer. Anal. 10 (1973)).
@@ -98,7 +98,11 @@ public:
   /*! Steps of the nonlinear part, as many as the deadline allows. */
   void improve(BlurredFit &fit, int steps, bool movesSpin);
 
-  /*! Covariance of the twist (t, w) of the pose in the marker's frame: outer radii, rad. After the deadline any. */
+  /*! How many samples' information counts once. */
+  double coherence() const;
+
+  /*! Covariance of the twist (t, w) of the pose in the marker's frame: outer radii, rad; of a family without sectors the
+    spin has none. After the deadline any. */
   Eigen::Matrix<double, 6, 6> covariance(const BlurredFit &fit);
 
 private:

@@ -53,6 +53,8 @@ constexpr int phases = 8;
 // A codeword that is seen through a blur leaves this share of the image's variance unexplained at most: those of true
 // markers leave a hundredth.
 constexpr double mostUnexplained = 0.05;
+// A ring has no code to prove it.
+constexpr double mostUnexplainedOfRing = 0.02;
 // A codeword that leaves less than this unexplained is not looked for elsewhere.
 constexpr double sureUnexplained = 0.01;
 
@@ -139,15 +141,25 @@ std::vector<BlurredFit> firstLooks(BlurredMarker &marker, const CameraModel &cam
   return looks;
 }
 
-void follow(BlurredMarker &marker, std::size_t samples, int steps, bool movesSpin, BlurredFit &fit)
+// The best of the starts after some steps.
+std::vector<BlurredFit> bestLooks(BlurredMarker &marker, const CameraModel &camera, const EllipseParameters &outline,
+                                  double radius, const Deadline &deadline)
 {
-  marker.select(fit.plane, fit.blur, samples);
-  if (marker.size() < samples / 4) {
-    fit.squares = HUGE_VAL;
-    return;
+  std::vector<BlurredFit> fits = firstLooks(marker, camera, outline, radius, deadline);
+  fits.resize(std::min(fits.size(), followed));
+  for (BlurredFit &fit : fits) {
+    marker.select(fit.plane, fit.blur, fewSamples);
+    if (marker.size() < fewSamples / 4) {
+      fit.squares = HUGE_VAL;
+      continue;
+    }
+    marker.solve(fit);
+    marker.improve(fit, followedSteps, false);
   }
-  marker.solve(fit);
-  marker.improve(fit, steps, movesSpin);
+  std::sort(fits.begin(), fits.end(),
+            [](const BlurredFit &p, const BlurredFit &q) { return p.unexplained() < q.unexplained(); });
+  fits.resize(std::min(fits.size(), finished));
+  return fits;
 }
 
 // What a codeword leaves unexplained of a fit, when light and contrast are its own.
@@ -254,19 +266,19 @@ MarkerPlane twinOf(const MarkerPlane &plane, const CameraModel &camera)
 }
 
 // Fits the twin as well, puts the better first, and tells how well both are known.
-void fitBoth(BlurredMarker &marker, const CameraModel &camera, BlurredReading &reading)
+void fitBoth(BlurredMarker &marker, const CameraModel &camera, bool movesSpin, BlurredReading &reading)
 {
   constexpr double samePose = 0.02; // rad between two normals: less is one pose
   BlurredFit &fit = reading.fit;
   marker.select(fit.plane, fit.blur, manySamples);
   marker.solve(fit);
-  marker.improve(fit, finishedSteps, true);
+  marker.improve(fit, finishedSteps, movesSpin);
   BlurredFit twin;
   twin.plane = twinOf(fit.plane, camera);
   copySpin(fit.plane, twin.plane);
   twin.blur = fit.blur;
   marker.solve(twin);
-  marker.improve(twin, finishedSteps, true);
+  marker.improve(twin, finishedSteps, movesSpin);
   if (twin.squares < fit.squares) {
     std::swap(fit, twin);
   }
@@ -274,7 +286,7 @@ void fitBoth(BlurredMarker &marker, const CameraModel &camera, BlurredReading &r
   const double variance = fit.squares / std::max(freedom, 1.);
   reading.poses.covariance[0] = marker.covariance(fit);
   reading.poses.covariance[1] = reading.poses.covariance[0];
-  reading.poses.cost[0] = fit.squares / (2. * variance);
+  reading.poses.cost[0] = fit.squares / (2. * variance * marker.coherence());
   reading.poses.noise = std::sqrt(variance);
   reading.poses.unexplained = fit.unexplained();
   reading.twin = fit.plane;
@@ -282,7 +294,7 @@ void fitBoth(BlurredMarker &marker, const CameraModel &camera, BlurredReading &r
   if (twin.squares < HUGE_VAL && cosine < std::cos(samePose)) {
     reading.twin = twin.plane;
     reading.poses.covariance[1] = marker.covariance(twin);
-    reading.poses.cost[1] = twin.squares / (2. * variance);
+    reading.poses.cost[1] = twin.squares / (2. * variance * marker.coherence());
   }
 }
 } // namespace
@@ -293,17 +305,7 @@ std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const
                                           const Deadline &deadline)
 {
   BlurredMarker marker(I, camera, family, deadline);
-  std::vector<BlurredFit> fits = firstLooks(marker, camera, outline, radius, deadline);
-  fits.resize(std::min(fits.size(), followed));
-  for (BlurredFit &fit : fits) {
-    follow(marker, fewSamples, followedSteps, false, fit);
-  }
-  if (deadline.hasPassed()) {
-    return std::nullopt;
-  }
-  std::sort(fits.begin(), fits.end(),
-            [](const BlurredFit &p, const BlurredFit &q) { return p.unexplained() < q.unexplained(); });
-  fits.resize(std::min(fits.size(), finished));
+  std::vector<BlurredFit> fits = bestLooks(marker, camera, outline, radius, deadline);
   std::optional<BlurredReading> best;
   const CyclicCode &code = codeOf(family);
   for (BlurredFit &fit : fits) {
@@ -350,9 +352,36 @@ std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const
   if (deadline.hasPassed() || !best || best->unexplained > mostUnexplained || best->code.margin < leastMargin) {
     return std::nullopt; // and no time is spent on its poses
   }
-  fitBoth(marker, camera, *best);
+  fitBoth(marker, camera, true, *best);
   best->poses.disc = best->fit.blur.disc / outline.a;
   return deadline.hasPassed() ? std::nullopt : best;
+}
+
+std::optional<BlurredReading> fitBlurredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                             const EllipseParameters &outline, double radius,
+                                             const vpCircleMarkerFamily &family, const Deadline &deadline)
+{
+  BlurredMarker marker(I, camera, family, deadline);
+  BlurredReading best;
+  for (BlurredFit &fit : bestLooks(marker, camera, outline, radius, deadline)) {
+    if (!(fit.squares < HUGE_VAL)) {
+      continue;
+    }
+    marker.select(fit.plane, fit.blur, manySamples);
+    marker.solve(fit);
+    marker.improve(fit, finishedSteps, false);
+    if (fit.squares < HUGE_VAL && fit.unexplained() < best.unexplained) {
+      best.fit = fit;
+      best.unexplained = fit.unexplained();
+    }
+  }
+  if (deadline.hasPassed() || best.unexplained > mostUnexplainedOfRing) {
+    return std::nullopt;
+  }
+  fitBoth(marker, camera, false, best);
+  best.poses.disc = best.fit.blur.disc / outline.a;
+  best.code.margin = 1.;
+  return deadline.hasPassed() ? std::nullopt : std::optional<BlurredReading>(best);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -147,7 +147,7 @@ double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outli
   return *second;
 }
 
-bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outline)
+bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outline, bool isCoded)
 {
   if (outline.b < leastSemiMinor) {
     return false;
@@ -164,8 +164,8 @@ bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outl
     return false;
   }
   const auto track = greysAround(I, outline, trackRadius);
-  if (!track || track->high - track->low < leastOfTrack * step || ring->low - track->low > mostBeyond * step ||
-      track->high - paper->high > mostBeyond * step) {
+  if (!track || (isCoded && track->high - track->low < leastOfTrack * step) ||
+      ring->low - track->low > mostBeyond * step || track->high - paper->high > mostBeyond * step) {
     return false;
   }
   return edgeWidth(I, outline) > std::max(leastWidth, leastRelativeWidth * outline.b);

@@ -33,10 +33,11 @@ namespace circle_marker {
 double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outline);
 
 /*!
-  Whether an outline may be a coded marker seen through a blur that sectors cannot be read through one by one: its edge
-  is wide, its centre is as white as the paper around, its ring is dark and its track has something of both.
+  Whether an outline may be a marker seen through a strong blur, one that sectors cannot be read through one by one: its
+  edge is wide, its centre is as white as the paper around, its ring is dark and, if it has a code, its track has
+  something of both.
 */
-bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outline);
+bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outline, bool isCoded);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

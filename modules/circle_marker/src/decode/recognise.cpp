@@ -118,6 +118,25 @@ Judged<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraM
   return markerOf(poses, family, codes, best);
 }
 
+// What was found through a blur, in the frame that the code fixes.
+Recognition blurredMarkerOf(const BlurredReading &reading, const vpCircleMarkerFamily &family)
+{
+  Recognition result;
+  result.family = family;
+  result.code = reading.code;
+  result.ringInner = family.getLayout().ringInner;
+  result.poses = {reading.fit.plane, reading.twin};
+  result.blurred = reading.poses;
+  Eigen::Matrix<double, 6, 6> back = Eigen::Matrix<double, 6, 6>::Zero();
+  back.topLeftCorner<3, 3>() = Eigen::AngleAxisd(-reading.code.spin, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  back.bottomRightCorner<3, 3>() = back.topLeftCorner<3, 3>();
+  for (std::size_t i = 0; i < result.poses.size(); ++i) {
+    result.poses[i].spin(reading.code.spin);
+    result.blurred->covariance[i] = back * reading.poses.covariance[i] * back.transpose();
+  }
+  return result;
+}
+
 // A marker whose sectors are too blurred to be read one by one; nothing if it is none, or not certain.
 std::optional<Recognition> recogniseBlurred(const vpImage<unsigned char> &I, const CameraModel &camera,
                                             const PosePair &poses, const EllipseCandidate &outline,
@@ -126,23 +145,16 @@ std::optional<Recognition> recogniseBlurred(const vpImage<unsigned char> &I, con
 {
   const auto reading =
       readBlurred(I, camera, outline.ellipse, poses[0].radius, family, settings.minimumMargin, deadline);
-  if (!reading) {
-    return std::nullopt;
-  }
-  Recognition result;
-  result.family = family;
-  result.code = reading->code;
-  result.ringInner = family.getLayout().ringInner;
-  result.poses = {reading->fit.plane, reading->twin};
-  result.blurred = reading->poses;
-  Eigen::Matrix<double, 6, 6> back = Eigen::Matrix<double, 6, 6>::Zero(); // to the frame that the code fixes
-  back.topLeftCorner<3, 3>() = Eigen::AngleAxisd(-reading->code.spin, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  back.bottomRightCorner<3, 3>() = back.topLeftCorner<3, 3>();
-  for (std::size_t i = 0; i < result.poses.size(); ++i) {
-    result.poses[i].spin(reading->code.spin);
-    result.blurred->covariance[i] = back * reading->poses.covariance[i] * back.transpose();
-  }
-  return result;
+  return reading ? std::optional<Recognition>(blurredMarkerOf(*reading, family)) : std::nullopt;
+}
+
+// A plain ring through a blur: the same.
+std::optional<Recognition> recogniseBlurredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                                const PosePair &poses, const EllipseCandidate &outline,
+                                                const vpCircleMarkerFamily &family, const Deadline &deadline)
+{
+  const auto reading = fitBlurredRing(I, camera, outline.ellipse, poses[0].radius, family, deadline);
+  return reading ? std::optional<Recognition>(blurredMarkerOf(*reading, family)) : std::nullopt;
 }
 
 // Inner radius of a ring without a code at a pose, in units of the outer: that of the design if it is near; 0 of a
@@ -204,6 +216,11 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
                               const Deadline &deadline)
 {
   if (!family.isCoded()) {
+    if (mayBeBlurred && family.getType() == vpCircleMarkerFamily::RING && looksBlurred(I, outline.ellipse, false)) {
+      if (auto blurred = recogniseBlurredRing(I, camera, poses, outline, family, deadline)) {
+        return std::move(*blurred);
+      }
+    }
     return recogniseShape(I, camera, poses, outline, family);
   }
   const vpCircleMarkerLayout &layout = family.getLayout();
@@ -212,7 +229,7 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
   if (outline.ellipse.b < leastCodeSemiMinor || trackPixels < leastSectorPixels * family.getNbSectors()) {
     return vpCircleMarkerReject::TOO_SMALL;
   }
-  if (mayBeBlurred && looksBlurred(I, outline.ellipse)) {
+  if (mayBeBlurred && looksBlurred(I, outline.ellipse, true)) {
     if (auto blurred = recogniseBlurred(I, camera, poses, outline, family, settings, deadline)) {
       return std::move(*blurred);
     }

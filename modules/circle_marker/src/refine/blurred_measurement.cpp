@@ -27,6 +27,8 @@ namespace {
 // measure() looks at every pixel, noise and all, the reading at means of many: it may leave this share of the variance
 // more. A model that lacks a motion leaves a tenth and more.
 constexpr double mostOfNoise = 0.02;
+// The pose of a plain ring bears less of it: it is known by its outline alone.
+constexpr double mostOfNoiseOfRing = 0.005;
 // In noise of a twelfth of the contrast sharp edges look wide. A fit that sees them sharp, pixels, and leaves no more
 // than such noise does, is the better one.
 constexpr double sharp = 2.;
@@ -51,17 +53,19 @@ FittedPose fittedPose(const Recognition &marker, std::size_t i)
   return pose;
 }
 
-bool isRight(const FittedPose &fit, const BlurredPoses &blurred)
+bool isRight(const FittedPose &fit, const Recognition &marker)
 {
+  const BlurredPoses &blurred = *marker.blurred;
+  const double most = marker.family.isCoded() ? mostOfNoise : mostOfNoiseOfRing;
   const double unexplained = 1. - std::pow(fit.correlation, 2.);
-  return (blurred.disc < wideDisc && unexplained < blurred.unexplained + mostOfNoise) ||
+  return (blurred.disc < wideDisc && unexplained < blurred.unexplained + most) ||
          (fit.photometry.blur.widest() < sharp && unexplained < mostOfMuchNoise);
 }
 } // namespace
 
 std::optional<Measurement> bestMeasurement(const Recognition &marker, std::optional<Measurement> measured)
 {
-  if (!marker.blurred || (measured && isRight(measured->first, *marker.blurred))) {
+  if (!marker.blurred || (measured && isRight(measured->first, marker))) {
     return measured;
   }
   const std::array<double, 2> &cost = marker.blurred->cost;
