@@ -48,6 +48,9 @@ constexpr double mostLacking = 0.006;
 // it leaves 4 % of its contrast and more besides noise, and correlates by less than 0.98. True markers do by that in
 // noise of a twelfth of the contrast.
 constexpr double mostUnlike = 0.03;
+// Where the sectors were read one by one without doubt, it may be more, as pictures are that were compressed or moved;
+// lettering that is read as a code leaves a fifth.
+constexpr double mostUnlikeIfCertain = 0.1;
 constexpr double leastCorrelation = 0.97;
 // How often another code is measured: the first was read at a pose that the code did not yet help to measure.
 constexpr int mostRounds = 3;
@@ -59,15 +62,15 @@ double sectorLength(const EllipseParameters &outline, const vpCircleMarkerFamily
   return M_PI * (layout.codeInner + layout.codeOuter) * outline.b / family.getNbSectors();
 }
 
-// Whether a fit leaves no more of the image than one of a print does. No sensor tells more than white, nor ink darker
+// Whether a fit leaves no more of the image than one of a print does: noise, and a share of the contrast. No sensor tells more than white, nor ink darker
 // than black: a fit of what is no marker may find its contrast there, but that is not what is left to be explained.
-bool leavesWhatPrintsLeave(const FittedPose &fit, double noise)
+bool leavesWhatPrintsLeave(const FittedPose &fit, double noise, double share)
 {
   constexpr double white = 255.;
   const double paper = std::min(fit.photometry.light, white);
   const double ink = std::max(fit.photometry.light * (1. - fit.photometry.contrast), 0.);
-  return fit.photometry.contrast < 1. + mostUnlike &&
-         fit.noise < mostNoise * std::max(noise, rounding) + mostUnlike * (paper - ink);
+  return fit.photometry.contrast < 1. + share &&
+         fit.noise < mostNoise * std::max(noise, rounding) + share * (paper - ink);
 }
 
 // Whether a marker's likeliest code is beyond doubt.
@@ -77,8 +80,9 @@ bool isProven(const LikelyCode &code, const FittedPose &fit, double noise, bool 
   const double noiseAlone = mostNoise * std::max(noise, rounding);
   const bool isLikely = code.odds > leastOdds && code.unexplained < mostUnexplained;
   const bool isRightPose = code.odds > oddsAtAnyPose || fit.noise < noiseAlone + mostLacking * contrast;
-  const bool isPrint = leavesWhatPrintsLeave(fit, noise) && fit.correlation > leastCorrelation;
-  return isLikely && isRightPose && (isCertain || isPrint);
+  const bool isPrint = isCertain ? leavesWhatPrintsLeave(fit, noise, mostUnlikeIfCertain)
+                                 : leavesWhatPrintsLeave(fit, noise, mostUnlike) && fit.correlation > leastCorrelation;
+  return isLikely && isRightPose && isPrint;
 }
 
 // Sets another code, at the measured poses.
@@ -130,7 +134,7 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
       return std::nullopt;
     }
     if (!code) { // the first reading decides, if what was read is there at all
-      return marker.isCertain && leavesWhatPrintsLeave(measurement->first, noise) ? measurement : std::nullopt;
+      return marker.isCertain && leavesWhatPrintsLeave(measurement->first, noise, mostUnlike) ? measurement : std::nullopt;
     }
     if (code->id < 0) {
       return std::nullopt;

@@ -141,6 +141,27 @@ TEST(MeasureProven, WhatIsNoCodewordIsNone)
   }
 }
 
+// Stripes across a marker, as lettering that was read for one: its code may stand out, but it is not what is printed.
+TEST(MeasureProven, WhatIsUnlikeAPrintIsNone)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  for (int i = 0; i < 10; ++i) {
+    const int id = static_cast<int>(random() % family.getNbIds());
+    const MarkerScene scene = smallScene(random, family, id);
+    vpImage<double> exposed = expose(side, side, blur, scene);
+    Recognition marker = recognisedAs(scene, id, 0, true);
+    EXPECT_TRUE(prove(digitise(exposed, noise, random), scene, marker)) << i;
+    for (unsigned int v = 0; v < side; ++v) {
+      for (unsigned int u = 0; u < side; ++u) {
+        exposed[v][u] += 0.25 * (paper - ink) * std::sin(2. * M_PI * (u + 0.6 * v) / 7.);
+      }
+    }
+    marker = recognisedAs(scene, id, 0, true);
+    EXPECT_FALSE(prove(digitise(exposed, noise, random), scene, marker)) << i;
+  }
+}
+
 TEST(MeasureProven, NothingAfterTheDeadline)
 {
   Random random = randomOfTest();
