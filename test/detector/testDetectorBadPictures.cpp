@@ -68,8 +68,8 @@ void expectFound(const vpCircleMarkerFamily &family, const Spoiling &spoil, doub
   EXPECT_GE(found, leastFound) << "of " << frames;
 }
 
-// Without clutter. Of 16 frames the mean of the squared Mahalanobis distances, by degrees of freedom, is 1 +- 0.14 if the
-// covariance is right. Where it is not known which of the two poses is right, it is not asked.
+// Without clutter. Of 16 frames the mean of the squared Mahalanobis distances, by degrees of freedom, is 1 +- 0.14 if
+// the covariance is right. Where it is not known which of the two poses is right, it is not asked.
 void expectCovariance(const vpCircleMarkerFamily &family, const Spoiling &spoil)
 {
   constexpr int frames = 16;

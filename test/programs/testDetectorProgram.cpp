@@ -225,10 +225,10 @@ TEST(DetectorProgram, DebugWritesAPictureForEachRoom)
   const test::Outcome outcome =
       test::run(DETECTOR_PROGRAM, wide(widePicture, {"--json", "out.jsonl", "--debug", "rooms"}), folder);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const std::vector<std::string> files = {
-      "0000-1-segment-half.png",  "0000-1-segment-quarter.png", "0000-1-segment.png",  "0000-2-edges-half.png",
-      "0000-2-edges-quarter.png", "0000-2-edges.png",           "0000-3-ellipses.png", "0000-4-decode.png",
-      "0000-5-poses.png",         "0000-candidates.csv"};
+  const std::vector<std::string> files = {"0000-1-segment-half.png", "0000-1-segment-quarter.png", "0000-1-segment.png",
+                                          "0000-2-edges-half.png",   "0000-2-edges-quarter.png",   "0000-2-edges.png",
+                                          "0000-3-ellipses.png",     "0000-4-decode.png",          "0000-5-poses.png",
+                                          "0000-candidates.csv"};
   EXPECT_EQ(test::filesIn(folder / "rooms"), files);
   const cv::Mat original = cv::imread(widePicture, cv::IMREAD_GRAYSCALE);
   for (const std::string &file : files) {

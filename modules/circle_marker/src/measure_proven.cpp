@@ -62,8 +62,9 @@ double sectorLength(const EllipseParameters &outline, const vpCircleMarkerFamily
   return M_PI * (layout.codeInner + layout.codeOuter) * outline.b / family.getNbSectors();
 }
 
-// Whether a fit leaves no more of the image than one of a print does: noise, and a share of the contrast. No sensor tells more than white, nor ink darker
-// than black: a fit of what is no marker may find its contrast there, but that is not what is left to be explained.
+// Whether a fit leaves no more of the image than one of a print does: noise, and a share of the contrast. No sensor
+// tells more than white, nor ink darker than black: a fit of what is no marker may find its contrast there, but that is
+// not what is left to be explained.
 bool leavesWhatPrintsLeave(const FittedPose &fit, double noise, double share)
 {
   constexpr double white = 255.;
@@ -134,7 +135,8 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
       return std::nullopt;
     }
     if (!code) { // the first reading decides, if what was read is there at all
-      return marker.isCertain && leavesWhatPrintsLeave(measurement->first, noise, mostUnlike) ? measurement : std::nullopt;
+      const bool isThere = marker.isCertain && leavesWhatPrintsLeave(measurement->first, noise, mostUnlike);
+      return isThere ? measurement : std::nullopt;
     }
     if (code->id < 0) {
       return std::nullopt;

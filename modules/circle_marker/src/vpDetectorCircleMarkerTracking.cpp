@@ -169,9 +169,9 @@ void vpDetectorCircleMarker::Impl::forgetTracks()
 
 /*!
   Follows markers from image to image: their outlines are looked for where they are expected, then in regions around
-  these places, which takes a fraction of the time. The whole image is searched while there is no marker, when one is lost, and every
-  \e fullSearchPeriod images, so that new ones are found. What is found of a marker is what a search of the whole image
-  finds of it.
+  these places, which takes a fraction of the time. The whole image is searched while there is no marker, when one is
+  lost, and every \e fullSearchPeriod images, so that new ones are found. What is found of a marker is what a search of
+  the whole image finds of it.
 
   The images must be those of one camera in their order.
 

@@ -43,8 +43,8 @@ constexpr double seenQuietZone = 0.9;
 constexpr double poseStep = 1e-5;
 constexpr double blurStep = 5e-4;
 // What is left between model and image is the model's error more than noise, and much the same in neighbouring samples:
-// the information of about so many counts once, of a plain ring, which the model's errors shift as a whole, of more. The
-// numbers are guesses; bench-circle-marker --hardships has what they are worth.
+// the information of about so many counts once, of a plain ring, which the model's errors shift as a whole, of more.
+// The numbers are guesses; bench-circle-marker --hardships has what they are worth.
 constexpr double coherenceOfCode = 4.;
 constexpr double coherenceOfRing = 16.;
 

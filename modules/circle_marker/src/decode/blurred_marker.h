@@ -101,8 +101,8 @@ public:
   /*! How many samples' information counts once. */
   double coherence() const;
 
-  /*! Covariance of the twist (t, w) of the pose in the marker's frame: outer radii, rad; of a family without sectors the
-    spin has none. After the deadline any. */
+  /*! Covariance of the twist (t, w) of the pose in the marker's frame: outer radii, rad; of a family without sectors
+    the spin has none. After the deadline any. */
   Eigen::Matrix<double, 6, 6> covariance(const BlurredFit &fit);
 
 private:

@@ -69,13 +69,12 @@ std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const
                                           const Deadline &deadline = Deadline());
 
 /*!
-  Fits a plain ring to the image around a blurred outline: the same without codewords. What it is not proven by a code
-  it must be proven by what the fit leaves: a fiftieth of the variance at most.
+  Fits a plain ring to the image around a blurred outline: as readBlurred(), without codewords. What no code proves must
+  be proven by what the fit leaves: a fiftieth of the variance at most.
 */
 std::optional<BlurredReading> fitBlurredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
                                              const EllipseParameters &outline, double radius,
-                                             const vpCircleMarkerFamily &family,
-                                             const Deadline &deadline = Deadline());
+                                             const vpCircleMarkerFamily &family, const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -87,10 +87,7 @@ template <class PositionOf> Eigen::Vector2d middleOf(std::size_t count, const Po
 struct Directions
 {
   // most: of them at most.
-  Directions(std::size_t points, std::size_t most)
-      : stride(1 + points / most), count((points + stride - 1) / stride)
-  {
-  }
+  Directions(std::size_t points, std::size_t most) : stride(1 + points / most), count((points + stride - 1) / stride) {}
 
   // How many may show no line where a share must.
   std::size_t mostMissed(double least) const

@@ -27,8 +27,8 @@ namespace circle_marker {
 namespace {
 // The outline of the smallest marker that can be read, with a minor axis of 4 pixels, has 20 pixels.
 constexpr std::size_t shortestChain = 14;
-// Of a reduced image only outlines of this semi-minor axis count, its pixels: smaller ones are found at a larger size or
-// not worth it. And images that have no room for one, and three pixels on either side for its edge, are not reduced.
+// Of a reduced image only outlines of this semi-minor axis count, its pixels: smaller ones are found at a larger size
+// or not worth it. And images that have no room for one, and three pixels on either side for its edge, are not reduced.
 constexpr double leastReducedSemiMinor = 5.;
 constexpr unsigned int leastReducedSide = 16;
 
@@ -71,7 +71,8 @@ void halve(const vpImage<unsigned char> &I, vpImage<unsigned char> &half)
   }
 }
 
-// From pixels of a reduced image: with a scale of 2, pixel u' covers 2 u' and 2 u' + 1, and its centre is at 2 u' + 1/2.
+// From pixels of a reduced image: with a scale of 2, pixel u' covers 2 u' and 2 u' + 1, and its centre is at 2 u' +
+// 1/2.
 struct Enlargement
 {
   explicit Enlargement(std::size_t halvings)
