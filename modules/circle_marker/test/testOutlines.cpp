@@ -1,0 +1,96 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Outlines of markers at three scales of the image.
+ */
+
+#include "ellipse/outlines.h"
+
+#include "testRoomTools.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr unsigned int side = 320; // pixels
+
+// A ring that faces the camera: its outline is a circle about its centre.
+MarkerScene ringScene(Random &random, double diameter)
+{
+  MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, diameter, 0., side);
+  scene.sheet = 2.;
+  return scene;
+}
+
+// The outer outline, if it is among those of an image.
+std::optional<EllipseParameters> outlineIn(const vpImage<unsigned char> &I, const MarkerScene &scene, double diameter,
+                                           OutlineMemory &memory)
+{
+  const SoughtCenters sought = {true, false, 0.};
+  Workers workers;
+  for (const EllipseCandidate &outline : findOutlines(I, sought, workers, Deadline(), memory)) {
+    const double far = (outline.ellipse.center - scene.frame().center).norm();
+    if (std::abs(outline.ellipse.a - 0.5 * diameter) < 0.05 * diameter && far < 0.05 * diameter) {
+      return outline.ellipse;
+    }
+  }
+  return std::nullopt;
+}
+} // namespace
+
+// Through blurs with a standard deviation of up to 9 pixels: their edges are sharp at a smaller scale only, and from
+// each a place comes back to the same pixels.
+TEST(Outlines, AtAnyScaleAnOutlineIsWhereItIs)
+{
+  Random random = randomOfTest();
+  for (const double blur : {0.8, 3., 6., 9.}) {
+    for (int i = 0; i < 5; ++i) {
+      const double diameter = uniform(random, 120., 180.);
+      const MarkerScene scene = ringScene(random, diameter);
+      const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), 3., random);
+      OutlineMemory memory;
+      const auto outline = outlineIn(I, scene, diameter, memory);
+      ASSERT_TRUE(outline) << "blur " << blur;
+      EXPECT_LT((outline->center - scene.frame().center).norm(), 0.1 + 0.05 * blur) << "blur " << blur;
+      EXPECT_TRUE(memory.reduced[0].isUsed && memory.reduced[1].isUsed);
+    }
+  }
+}
+
+TEST(Outlines, ImagesWithoutRoomAreNotReduced)
+{
+  Random random = randomOfTest();
+  OutlineMemory memory;
+  Workers workers;
+  const vpImage<unsigned char> I = digitise(vpImage<double>(63, 200, 128.), 2., random);
+  EXPECT_TRUE(findOutlines(I, SoughtCenters(), workers, Deadline(), memory).empty());
+  EXPECT_TRUE(memory.reduced[0].isUsed);
+  EXPECT_FALSE(memory.reduced[1].isUsed) << "15 pixels high";
+  const vpImage<unsigned char> small = digitise(vpImage<double>(16, 16, 128.), 2., random);
+  EXPECT_TRUE(findOutlines(small, SoughtCenters(), workers, Deadline(), memory).empty());
+  EXPECT_FALSE(memory.reduced[0].isUsed || memory.reduced[1].isUsed);
+}
+
+TEST(Outlines, NoiseOfAllScalesIsTakenOver)
+{
+  OutlineMemory from;
+  from.full.gradient.noise = 3.;
+  from.reduced[0].gradient.noise = 2.;
+  from.reduced[1].gradient.noise = 1.;
+  OutlineMemory to;
+  to.takeNoise(from);
+  EXPECT_EQ(to.full.gradient.noise, 3.);
+  EXPECT_EQ(to.reduced[0].gradient.noise, 2.);
+  EXPECT_EQ(to.reduced[1].gradient.noise, 1.);
+}
