@@ -48,8 +48,8 @@ constexpr double mostLacking = 0.006;
 // it leaves 4 % of its contrast and more besides noise, and correlates by less than 0.98. True markers do by that in
 // noise of a twelfth of the contrast.
 constexpr double mostUnlike = 0.03;
-// Where the sectors were read one by one without doubt, it may be more, as pictures are that were compressed or moved;
-// lettering that is read as a code leaves a fifth.
+// Where the sectors were read one by one without doubt, it may be more, in pictures that were compressed or moved;
+// lettering that was read as a code left twice this share of its contrast.
 constexpr double mostUnlikeIfCertain = 0.1;
 constexpr double leastCorrelation = 0.97;
 // How often another code is measured: the first was read at a pose that the code did not yet help to measure.

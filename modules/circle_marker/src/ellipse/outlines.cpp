@@ -71,8 +71,7 @@ void halve(const vpImage<unsigned char> &I, vpImage<unsigned char> &half)
   }
 }
 
-// From pixels of a reduced image: with a scale of 2, pixel u' covers 2 u' and 2 u' + 1, and its centre is at 2 u' +
-// 1/2.
+// From pixels of a reduced image. At the half, pixel u' covers 2 u' and 2 u' + 1; its centre is at 2 u' + 1/2.
 struct Enlargement
 {
   explicit Enlargement(std::size_t halvings)
