@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -27,6 +28,25 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+namespace {
+// A thread that sleeps comes back some 0.05 ms after it is called, and an image has a dozen rounds of work. So a thread
+// stays awake for about as long.
+constexpr std::chrono::microseconds staysAwake(100);
+constexpr std::size_t cacheLine = 64; // bytes
+
+// Waits awake until something is so; false if it is not in time.
+template <class Condition> bool waitsAwake(const Condition &isSo)
+{
+  const auto end = std::chrono::steady_clock::now() + staysAwake;
+  while (!isSo()) {
+    if (std::chrono::steady_clock::now() > end) {
+      return false;
+    }
+  }
+  return true;
+}
+} // namespace
+
 /*! The threads beside the caller's, and the work they are given. */
 class Workers::Team
 {
@@ -64,8 +84,11 @@ public:
     }
     m_hasWork.notify_all();
     work(0);
-    std::unique_lock<std::mutex> lock(m_mutex);
-    m_isDone.wait(lock, [this]() { return m_busy == 0; });
+    const auto isDone = [this]() { return m_busy == 0; };
+    if (!waitsAwake(isDone)) {
+      std::unique_lock<std::mutex> lock(m_mutex);
+      m_isDone.wait(lock, isDone);
+    }
     if (m_failure) {
       std::rethrow_exception(m_failure);
     }
@@ -76,17 +99,18 @@ private:
   {
     unsigned long served = 0;
     while (true) {
-      {
+      const auto isCalled = [&]() { return m_isOver || m_round != served; };
+      if (!waitsAwake(isCalled)) {
         std::unique_lock<std::mutex> lock(m_mutex);
-        m_hasWork.wait(lock, [&]() { return m_isOver || m_round != served; });
-        if (m_isOver) {
-          return;
-        }
-        served = m_round;
+        m_hasWork.wait(lock, isCalled);
       }
+      if (m_isOver) {
+        return;
+      }
+      served = m_round;
       work(worker);
-      const std::lock_guard<std::mutex> lock(m_mutex);
       if (--m_busy == 0) {
+        const std::lock_guard<std::mutex> lock(m_mutex); // the caller may be about to sleep
         m_isDone.notify_one();
       }
     }
@@ -106,18 +130,19 @@ private:
     }
   }
 
-  std::mutex m_mutex;                 //!< Guards all that follows, but for the next task.
-  std::condition_variable m_hasWork;  //!< There is a new round, or the end.
-  std::condition_variable m_isDone;   //!< No thread is busy any more.
-  bool m_isOver = false;              //!< The threads have to end.
-  unsigned long m_round = 0;          //!< Counts the calls of share().
-  std::size_t m_busy = 0;             //!< Threads at work in this round.
-  Call m_call = nullptr;              //!< What to call.
-  const void *m_task = nullptr;       //!< And with what.
-  std::size_t m_tasks = 0;            //!< Number of tasks.
-  std::atomic<std::size_t> m_next{0}; //!< The task to be begun next.
-  std::exception_ptr m_failure;       //!< What a task has thrown.
-  std::vector<std::thread> m_threads; //!< The last member: its threads use the others.
+  std::mutex m_mutex;                    //!< For those who sleep, and for m_failure.
+  std::condition_variable m_hasWork;     //!< There is a new round, or the end.
+  std::condition_variable m_isDone;      //!< No thread is busy any more.
+  std::atomic<bool> m_isOver{false};     //!< The threads have to end.
+  std::atomic<unsigned long> m_round{0}; //!< Counts the calls of share(); what follows belongs to it.
+  std::atomic<std::size_t> m_busy{0};    //!< Threads at work in this round.
+  Call m_call = nullptr;                 //!< What to call.
+  const void *m_task = nullptr;          //!< And with what.
+  std::size_t m_tasks = 0;               //!< Number of tasks.
+  //! The task to be begun next; all write it, on a line of the cache where nothing else is.
+  alignas(cacheLine) std::atomic<std::size_t> m_next{0};
+  alignas(cacheLine) std::exception_ptr m_failure; //!< What a task has thrown.
+  std::vector<std::thread> m_threads;              //!< The last member: its threads use the others.
 };
 
 Workers::Workers(unsigned int count)
