@@ -54,8 +54,9 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       }
       EXPECT_NEAR(fit->photometry.light, light.level, 1e-3);
       EXPECT_NEAR(fit->photometry.contrast, light.contrast, 1e-5);
-      EXPECT_LT((fit->photometry.lightGradient - light.gradient).norm(), 1e-3);
-      EXPECT_NEAR(fit->photometry.blur.sigma, blur.sigma, 1e-4); // the elongation's prior pulls a little
+      // The priors of gradient and elongation pull a little.
+      EXPECT_LT((fit->photometry.lightGradient - light.gradient).norm(), 5e-3);
+      EXPECT_NEAR(fit->photometry.blur.sigma, blur.sigma, 1e-4);
       EXPECT_LT((fit->photometry.blur.elongation - blur.elongation).norm(), 1e-4);
       // Growth and spread are nearly one on a print that is hardly tilted: their sum is what is known.
       const double pixels = made.scene.focal * made.scene.radius / truth.center.z(); // of a radius

@@ -64,6 +64,81 @@ TEST(MaximumLikelihoodLight, MotionIsNoError)
   EXPECT_LT(sum / count, 6. / 0.95 + 3.5 * std::sqrt(12. / count));
 }
 
+namespace {
+struct GradientError
+{
+  double rms = 0.;    // grey levels
+  double along = 0.;  // mean of what the fits have too much along the true gradient
+  double chance = 0.; // standard deviation of that mean
+};
+
+//! Errors of the light's gradient on small rings in noise; steep: its size, grey levels.
+GradientError errorOfGradient(double steep, Random &random)
+{
+  constexpr int count = 200;
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::RING);
+  const vpImage<unsigned char> I(side, side, 0);
+  std::vector<double> along;
+  double squares = 0.;
+  for (int i = 0; i < count; ++i) {
+    Case made = makeCase(markerScene(random, family, -1, 20., uniform(random, 0.3, 0.9), side), -1, I);
+    const double angle = uniform(random, 0., 2. * M_PI);
+    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+    Light light;
+    light.gradient = steep * direction;
+    fillFromModel(made, light, BlurParameters(), 10., random);
+    const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.01), made.pattern, settingsOf(family));
+    if (fit) {
+      const Eigen::Vector2d error = fit->photometry.lightGradient - light.gradient;
+      squares += error.squaredNorm();
+      along.push_back(error.dot(direction));
+    }
+  }
+  EXPECT_GT(along.size(), count * 9 / 10);
+  GradientError error;
+  const auto fits = static_cast<double>(along.size());
+  error.rms = std::sqrt(squares / fits);
+  error.chance = std::sqrt(0.5 * squares) / fits;
+  for (const double one : along) {
+    error.along += one / fits;
+  }
+  return error;
+}
+} // namespace
+
+// The prior helps where the light is as even as it mostly is, and does not hold it back where it is not.
+TEST(MaximumLikelihoodLight, LightIsThoughtEvenUntilItIsNot)
+{
+  Random random = randomOfTest();
+  const GradientError even = errorOfGradient(0., random);
+  const GradientError steep = errorOfGradient(60., random);
+  EXPECT_LT(even.rms, 0.8 * steep.rms);
+  EXPECT_LT(std::abs(steep.along), 3.5 * steep.chance);
+}
+
+// A start that expects dark ink is not led to bright ink on dark paper, which would correlate as well.
+TEST(MaximumLikelihoodLight, NegativeOfAMarkerIsNone)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const vpImage<unsigned char> I(side, side, 0);
+  for (int i = 0; i < 20; ++i) {
+    const int id = randomId(random, family);
+    Case made = makeCase(markerScene(random, family, id, 60., uniform(random, 0.2, 0.9), side), id, I);
+    fillFromModel(made, Light(), BlurParameters(), 2., random);
+    for (FitPixel &pixel : made.pixels) {
+      pixel.grey = 255.f - pixel.grey;
+    }
+    FitMemory memory;
+    const FitStart start = {made.scene.plane(), Photometry(), std::nullopt};
+    const auto fit = fitPose(made.pixels, start, made.pattern, settingsOf(family), memory);
+    if (fit) {
+      EXPECT_GT(fit->photometry.contrast, 0.);
+      EXPECT_LT(fit->correlation, 0.5);
+    }
+  }
+}
+
 TEST(MaximumLikelihoodLight, ExactWhereThePaperIsOverExposed)
 {
   Random random = randomOfTest();

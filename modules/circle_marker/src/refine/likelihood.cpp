@@ -40,6 +40,9 @@ constexpr double spreadPrior = 0.003;
 // Most pictures are not moved; those that are have blurs longer by any amount. So the prior of the elongation is
 // Cauchy's, with this scale: a tenth of a pixel of motion hardly shows.
 constexpr double elongationPrior = 0.03;
+// The light changes by some hundredths over a marker's size, mostly, but may by any amount: Cauchy's prior again, this
+// share of the light its scale. A change along the tilt makes the two poses of a small ring look more alike.
+constexpr double gradientPrior = 0.02;
 // The paper mostly ends where it may, at a square or, less often, at a circle, or goes on in some directions.
 constexpr std::array<double, paperShapes> expectedSurround = {{0.25, 0.5}};
 constexpr double surroundPrior = 0.5;
@@ -49,6 +52,21 @@ constexpr double shadowPrior = 0.3;
 // the surround counts half.
 constexpr float guessedVariance = 25.f;
 
+// Cauchy's prior of two parameters: its cost, and the weight of a normal one with the same slope, which becomes weaker
+// the larger they are. That width makes the step, and goes to the covariance.
+double cauchyCost(const Eigen::Vector2d &value, double scale)
+{
+  return 2. * std::log1p(value.squaredNorm() / (scale * scale));
+}
+
+void addCauchy(const Eigen::Vector2d &value, double scale, double noise, int at, Equations &equations)
+{
+  const double weight = 2. * noise * noise / (scale * scale + value.squaredNorm());
+  for (int k = 0; k < 2; ++k) {
+    equations.matrix(at + k, at + k) += weight;
+    equations.right[at + k] -= weight * value[k];
+  }
+}
 } // namespace
 
 Likelihood::Likelihood(const MarkerPattern &pattern, const FitSettings &settings, FitMemory &memory)
@@ -215,8 +233,8 @@ double Likelihood::priorCost(const Photometry &photometry, double noise) const
 {
   const double u = m_settings.growth ? photometry.blur.growth / growthPrior : 0.;
   const double v = m_settings.growth ? photometry.blur.spread / spreadPrior : 0.;
-  const double w = photometry.blur.elongation.squaredNorm() / (elongationPrior * elongationPrior);
-  double cost = u * u + v * v + 2. * std::log1p(w);
+  double cost = u * u + v * v + cauchyCost(photometry.blur.elongation, elongationPrior) +
+                cauchyCost(photometry.lightGradient, gradientPrior * photometry.light);
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     const double s = (photometry.surround[shape] - expectedSurround[shape]) / surroundPrior;
     cost += s * s;
@@ -235,14 +253,8 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
     equations.right[at] -= surroundWeight * (photometry.surround[shape] - expectedSurround[shape]);
   }
   equations.cost += priorCost(photometry, noise);
-  // Cauchy's prior as a normal one that becomes weaker with the elongation. Its width makes the step, and goes to the
-  // covariance.
-  const Eigen::Vector2d &elongation = photometry.blur.elongation;
-  const double elongationWeight = 2. * noise * noise / (elongationPrior * elongationPrior + elongation.squaredNorm());
-  for (int k = 0; k < 2; ++k) {
-    equations.matrix(elongationAt + k, elongationAt + k) += elongationWeight;
-    equations.right[elongationAt + k] -= elongationWeight * elongation[k];
-  }
+  addCauchy(photometry.blur.elongation, elongationPrior, noise, elongationAt, equations);
+  addCauchy(photometry.lightGradient, gradientPrior * photometry.light, noise, gradientAt, equations);
   const auto hold = [&equations](int at) {
     equations.matrix.row(at).setZero();
     equations.matrix.col(at).setZero();

@@ -141,6 +141,12 @@ bool isVisible(const MarkerPlane &plane)
   return plane.center.z() > plane.radius * 0.1 && plane.rotation.col(2).dot(plane.center) > 0.;
 }
 
+// Whether paper is lit and ink darker: the negative of a marker is none, however well it correlates.
+bool isPrint(const Photometry &photometry)
+{
+  return photometry.light > 0. && photometry.contrast > 0.;
+}
+
 // Covariance of (t, w) in the camera frame from that of the twist in the marker's.
 Eigen::Matrix<double, 6, 6> inCameraFrame(const Eigen::Matrix<double, 6, 6> &covariance, const MarkerPlane &plane)
 {
@@ -397,7 +403,7 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
       matrixPlace.set(plane, result.photometry);
       continue;
     }
-    if (isVisible(plane) && photometry.light > 0.) {
+    if (isVisible(plane) && isPrint(photometry)) {
       const bool isNear =
           matrixPlace.servesAt(plane, photometry, size, memory.blocks.reference.unit) && descent.isOver();
       Equations trial = isNear ? fit.pull(plane, photometry, noise) : fit.linearise(plane, photometry, noise);
