@@ -19,6 +19,7 @@
 #include "testRoomTools.h"
 
 #include "refine/image_model.h"
+#include "refine/fit_pixels.h"
 #include "support/camera_model.h"
 
 using namespace circle_marker;
@@ -319,6 +320,40 @@ TEST(ImageModel, DerivativesAgreeWithDifferences)
       }
     }
   }
+}
+
+TEST(ImageModel, TheValueIsTheSameWithoutItsDerivatives)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I(side, side, 0);
+  double worst = 0.;
+  int seen = 0;
+  for (const vpCircleMarkerFamily::vpType type : families) {
+    const vpCircleMarkerFamily family(type);
+    for (const int borders : {1, 3, 5}) {
+      const int id = randomId(random, family);
+      const MarkerScene scene = markerScene(random, family, id, 60., uniform(random, 0.2, 1.), side);
+      const MarkerPlane plane = scene.plane();
+      const MarkerPattern pattern = patternOf(family, id, family.getLayout().ringInner);
+      std::vector<FitPixel> pixels;
+      selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, BlurParameters(), 1e6, pixels);
+      PixelBlocks blocks;
+      packPixels(pixels, plane, pattern, Photometry(), 2., 1., borders, blocks);
+      const ImageModel model(plane, pattern, BlurParameters(), blocks);
+      for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+        for (const PixelBlock &block : blocks.bySight[kind]) {
+          DarknessLanes all;
+          Lanes value;
+          model.evaluate(block, static_cast<PixelSight>(kind), all);
+          model.evaluate(block, static_cast<PixelSight>(kind), value);
+          worst = std::max(worst, static_cast<double>((value - all.value).abs().maxCoeff()));
+          ++seen;
+        }
+      }
+    }
+  }
+  EXPECT_GT(seen, 1000);
+  EXPECT_LT(worst, 1e-6); // compilers may round differently
 }
 
 TEST(ImageModel, GrowthMovesEveryEdgeOutward)

@@ -18,6 +18,7 @@
 #include "refine/image_model.h"
 
 #include <cmath>
+#include <type_traits>
 
 #include "refine/circle_edges.h"
 #include "refine/corners.h"
@@ -28,6 +29,29 @@ inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // Inner radius of a ring without one, in units of the outer: so far away that no pixel sees it.
 constexpr float noEdge = -100.f;
+
+// Puts the share of black, and the derivatives that were asked for.
+void put(const SumLanes &total, const PlaneLanes &, float, float, float, Lanes &value)
+{
+  value = total.value;
+}
+
+void put(const SumLanes &total, const PlaneLanes &p, float cx, float cy, float perDepth, DarknessLanes &darkness)
+{
+  const Lanes bySlope = (total.byX * (p.qx - cx) + total.byY * (p.qy - cy)) * perDepth;
+  darkness.value = total.value;
+  darkness.byTwist[0] = -total.byX;
+  darkness.byTwist[1] = -total.byY;
+  darkness.byTwist[2] = bySlope;
+  darkness.byTwist[3] = bySlope * p.qy;
+  darkness.byTwist[4] = -bySlope * p.qx;
+  darkness.byTwist[5] = total.byX * p.qy - total.byY * p.qx;
+  darkness.bySigma = total.bySigma;
+  darkness.byElongation[0] = total.byElongation[0];
+  darkness.byElongation[1] = total.byElongation[1];
+  darkness.byGrowth = total.byGrowth;
+  darkness.bySpread = total.bySpread;
+}
 } // namespace
 
 ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
@@ -56,6 +80,7 @@ ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, c
 }
 
 // One border between sectors, and its corners with the track's rims.
+template <bool hasSlopes>
 void ImageModel::seeBorder(const PlaneLanes &p, const TrackLanes &track, const Lanes &acrossX, const Lanes &acrossY,
                            const Lanes &change, SumLanes &code, SumLanes &corners) const
 {
@@ -73,18 +98,20 @@ void ImageModel::seeBorder(const PlaneLanes &p, const TrackLanes &track, const L
   }
   const Lanes standardised = distance + perSigma * change * (m_growth + m_spread * perGradient);
   const NormalLanes normal = normalOf(standardised);
-  const Lanes slope = perSigma * change * normal.density;
   code.value += change * normal.cumulative;
-  code.byX += slope * perGradient * acrossX;
-  code.byY += slope * perGradient * acrossY;
-  code.bySigma -= slope * standardised;
-  const Lanes byGrowth = slope * change;
-  code.byGrowth += byGrowth;
-  code.bySpread += byGrowth * perGradient;
   Lanes stretched[2];
-  stretchOf(gu, gv, perGradient, stretched);
-  for (std::size_t k = 0; k < 2; ++k) {
-    code.byElongation[k] -= change * normal.density * distance * stretched[k];
+  if constexpr (hasSlopes) {
+    const Lanes slope = perSigma * change * normal.density;
+    code.byX += slope * perGradient * acrossX;
+    code.byY += slope * perGradient * acrossY;
+    code.bySigma -= slope * standardised;
+    const Lanes byGrowth = slope * change;
+    code.byGrowth += byGrowth;
+    code.bySpread += byGrowth * perGradient;
+    stretchOf(gu, gv, perGradient, stretched);
+    for (std::size_t k = 0; k < 2; ++k) {
+      code.byElongation[k] -= change * normal.density * distance * stretched[k];
+    }
   }
   const Lanes density = isEdge * normal.density;
   if ((density * (outer.normal.density + inner.normal.density)).maxCoeff() < leastCorner) {
@@ -99,8 +126,11 @@ void ImageModel::seeBorder(const PlaneLanes &p, const TrackLanes &track, const L
     if (rim.bend.abs().maxCoeff() > leastBend) {
       addBend(a, rim.standardised, rim.bend, isEdge, rim.normal.density, correlation, corner);
     }
-    const Lanes byRadius = corner.byB * rim.byRadius;
     corners.value += corner.value;
+    if constexpr (!hasSlopes) {
+      return;
+    }
+    const Lanes byRadius = corner.byB * rim.byRadius;
     corners.byX += corner.byA * aByAcross * acrossX + byRadius * p.outX;
     corners.byY += corner.byA * aByAcross * acrossY + byRadius * p.outY;
     corners.bySigma += corner.byB * rim.bySigma - perSigma * corner.byA * a;
@@ -115,9 +145,10 @@ void ImageModel::seeBorder(const PlaneLanes &p, const TrackLanes &track, const L
   meet(inner, rho);
 }
 
-template <PixelSight sight, int borders>
-void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) const
+template <PixelSight sight, int borders, class Result>
+void ImageModel::evaluateAs(const PixelBlock &block, Result &result) const
 {
+  constexpr bool hasSlopes = std::is_same<Result, DarknessLanes>::value;
   PlaneLanes p;
   CurvatureLanes curvature;
   m_homography.apply(block.place, p);
@@ -157,7 +188,7 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
       acrossX = turned;
     }
     for (int k = 0; k < borders; ++k) {
-      seeBorder(p, track, acrossX, acrossY, sectors.change[k + (mostBorders - borders) / 2], code, corners);
+      seeBorder<hasSlopes>(p, track, acrossX, acrossY, sectors.change[k + (mostBorders - borders) / 2], code, corners);
       if (k + 1 < borders) {
         const Lanes turned = m_cosSector * acrossX - m_sinSector * acrossY;
         acrossY = m_cosSector * acrossY + m_sinSector * acrossX;
@@ -191,19 +222,7 @@ void ImageModel::evaluateAs(const PixelBlock &block, DarknessLanes &darkness) co
       total.byElongation[1] += seen.byElongation[1];
     }
   }
-  const Lanes bySlope = (total.byX * (p.qx - m_cx) + total.byY * (p.qy - m_cy)) * m_perDepth;
-  darkness.value = total.value;
-  darkness.byTwist[0] = -total.byX;
-  darkness.byTwist[1] = -total.byY;
-  darkness.byTwist[2] = bySlope;
-  darkness.byTwist[3] = bySlope * p.qy;
-  darkness.byTwist[4] = -bySlope * p.qx;
-  darkness.byTwist[5] = total.byX * p.qy - total.byY * p.qx;
-  darkness.bySigma = total.bySigma;
-  darkness.byElongation[0] = total.byElongation[0];
-  darkness.byElongation[1] = total.byElongation[1];
-  darkness.byGrowth = total.byGrowth;
-  darkness.bySpread = total.bySpread;
+  put(total, p, m_cx, m_cy, m_perDepth, result);
 }
 
 void ImageModel::evaluate(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const
@@ -212,20 +231,27 @@ void ImageModel::evaluate(const PixelBlock &block, PixelSight sight, DarknessLan
   darkness.value += block.correction;
 }
 
-void ImageModel::evaluateParabolas(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const
+void ImageModel::evaluate(const PixelBlock &block, PixelSight sight, Lanes &value) const
+{
+  evaluateParabolas(block, sight, value);
+  value += block.correction;
+}
+
+template <class Result>
+void ImageModel::evaluateParabolas(const PixelBlock &block, PixelSight sight, Result &result) const
 {
   if (sight == PixelSight::RING || m_borders == 0) {
-    evaluateAs<PixelSight::RING, 0>(block, darkness);
+    evaluateAs<PixelSight::RING, 0>(block, result);
   }
   else if (sight == PixelSight::TRACK) {
-    m_borders == 1   ? evaluateAs<PixelSight::TRACK, 1>(block, darkness)
-    : m_borders == 3 ? evaluateAs<PixelSight::TRACK, 3>(block, darkness)
-                     : evaluateAs<PixelSight::TRACK, 5>(block, darkness);
+    m_borders == 1   ? evaluateAs<PixelSight::TRACK, 1>(block, result)
+    : m_borders == 3 ? evaluateAs<PixelSight::TRACK, 3>(block, result)
+                     : evaluateAs<PixelSight::TRACK, 5>(block, result);
   }
   else {
-    m_borders == 1   ? evaluateAs<PixelSight::RING_AND_TRACK, 1>(block, darkness)
-    : m_borders == 3 ? evaluateAs<PixelSight::RING_AND_TRACK, 3>(block, darkness)
-                     : evaluateAs<PixelSight::RING_AND_TRACK, 5>(block, darkness);
+    m_borders == 1   ? evaluateAs<PixelSight::RING_AND_TRACK, 1>(block, result)
+    : m_borders == 3 ? evaluateAs<PixelSight::RING_AND_TRACK, 3>(block, result)
+                     : evaluateAs<PixelSight::RING_AND_TRACK, 5>(block, result);
   }
 }
 

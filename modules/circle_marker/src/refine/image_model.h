@@ -95,9 +95,14 @@ public:
   /*! Evaluates the model on a block whose pixels see a part of the print. */
   void evaluate(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const;
 
+  /*! The same, but only the share of black, for what needs no derivatives. */
+  void evaluate(const PixelBlock &block, PixelSight sight, Lanes &value) const;
+
 private:
-  void evaluateParabolas(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const;
-  template <PixelSight sight, int borders> void evaluateAs(const PixelBlock &block, DarknessLanes &darkness) const;
+  //! Result: DarknessLanes, or Lanes for the value alone.
+  template <class Result> void evaluateParabolas(const PixelBlock &block, PixelSight sight, Result &result) const;
+  template <PixelSight sight, int borders, class Result> void evaluateAs(const PixelBlock &block, Result &result) const;
+  template <bool hasSlopes>
   void seeBorder(const PlaneLanes &p, const TrackLanes &track, const Lanes &acrossX, const Lanes &acrossY,
                  const Lanes &change, SumLanes &code, SumLanes &corners) const;
 

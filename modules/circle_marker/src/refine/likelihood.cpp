@@ -114,7 +114,7 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
   for (Lanes &lanes : sums) {
     lanes.setZero();
   }
-  DarknessLanes darkness;
+  Lanes darkness;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
     const Lanes weight = guessedVariance / (guessedVariance + block.variance);
@@ -127,7 +127,7 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
         print -= share * surround->beyond[shape];
       }
     }
-    std::array<Lanes, unknowns> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness.value};
+    std::array<Lanes, unknowns> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness};
     if (photometry.shadow) {
       const Lanes share = shadowOf(block, *photometry.shadow).value;
       for (Lanes &lanes : row) {
@@ -222,10 +222,10 @@ void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
   m_memory.residuals.clear();
-  DarknessLanes darkness;
+  Lanes darkness;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
-    m_memory.residuals.push_back(greyOf(block, m_memory.blocks.surroundOf(block), photometry, darkness.value).residual);
+    m_memory.residuals.push_back(greyOf(block, m_memory.blocks.surroundOf(block), photometry, darkness).residual);
   });
 }
 

@@ -267,9 +267,9 @@ bool correctBends(const MarkerPlane &plane, const MarkerPattern &pattern, const 
     for (PixelBlock &block : blocks.bySight[kind]) {
       block.correction.setZero();
       if (exact.isBent(block, sight)) {
-        DarknessLanes darkness;
+        Lanes darkness;
         parabolas.evaluate(block, sight, darkness);
-        block.correction = exact.darkness(block, sight) - darkness.value;
+        block.correction = exact.darkness(block, sight) - darkness;
         isAnyBent = true;
       }
     }
