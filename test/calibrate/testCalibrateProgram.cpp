@@ -76,6 +76,18 @@ void expectTruth(const Json &model)
   const auto errors = model["errors_in_sigmas"].get<std::vector<double>>();
   EXPECT_LT(errors.back(), 2.1) << model.dump();
 }
+
+//! What vpDetectorCircleMarker::setCameraCovariance() takes: of px, py, u0 and v0, with the deviations that are told.
+void expectCameraCovariance(const Json &model)
+{
+  const char *numbers[] = {"px", "py", "u0", "v0"};
+  ASSERT_EQ(model["cameraCovariance"].size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    ASSERT_EQ(model["cameraCovariance"][i].size(), 4u);
+    const double sigma = model["sigma"][numbers[i]];
+    EXPECT_NEAR(model["cameraCovariance"][i][i].get<double>(), sigma * sigma, 1e-9 * sigma * sigma) << numbers[i];
+  }
+}
 } // namespace
 
 TEST(CalibrateProgram, CirclesByTheirTrueCentersGiveTheTrueCamera)
@@ -85,6 +97,7 @@ TEST(CalibrateProgram, CirclesByTheirTrueCentersGiveTheTrueCamera)
   ASSERT_FALSE(result.is_null());
   const Json &model = result["models"][0];
   expectTruth(model);
+  expectCameraCovariance(model);
   EXPECT_NEAR(model["camera"]["px"].get<double>(), 1600., 0.3);
   EXPECT_LT(model["rms_pixels"].get<double>(), 0.01);
   // The ellipses' centres are no such points.

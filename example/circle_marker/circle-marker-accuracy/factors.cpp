@@ -100,10 +100,13 @@ void bow(Scene &scene, Draws &draws)
   scene.bowAxis = draws.uniform(0., M_PI);
 }
 
-/*! The calibration errs by 0.5 % of the image's width. */
+// Errors of the calibration: of the image's width, and of the focal length.
+constexpr double principalPointError = 0.005;
+constexpr double focalLengthError = 0.005;
+
 void principalPoint(Scene &scene, Draws &draws)
 {
-  const double error = 0.005 * imageWidth;
+  const double error = principalPointError * imageWidth;
   const double direction = draws.uniform(0., 2. * M_PI);
   scene.assumed =
       tutorial::movedPrincipalPoint(scene.camera, -error * std::cos(direction), -error * std::sin(direction));
@@ -111,9 +114,29 @@ void principalPoint(Scene &scene, Draws &draws)
 
 void focalLengthOff(Scene &scene, Draws &draws)
 {
-  const double scale = draws.bits() % 2 == 0 ? 1.005 : 0.995;
+  const double scale = 1. + (draws.bits() % 2 == 0 ? focalLengthError : -focalLengthError);
   scene.assumed.initPersProjWithoutDistortion(scale * scene.camera.get_px(), scale * scene.camera.get_py(),
                                               scene.camera.get_u0(), scene.camera.get_v0());
+}
+
+/*! The same, and the detector is told how well the camera is known. */
+void statedPrincipalPoint(Scene &scene, Draws &draws)
+{
+  principalPoint(scene, draws);
+  scene.assumedCovariance.resize(4, 4);
+  const double variance = 0.5 * std::pow(principalPointError * imageWidth, 2.); // half of it each way
+  scene.assumedCovariance[2][2] = scene.assumedCovariance[3][3] = variance;
+}
+
+void statedFocalLength(Scene &scene, Draws &draws)
+{
+  focalLengthOff(scene, draws);
+  scene.assumedCovariance.resize(4, 4);
+  for (unsigned int i = 0; i < 2; ++i) { // px and py are off together
+    for (unsigned int j = 0; j < 2; ++j) {
+      scene.assumedCovariance[i][j] = std::pow(focalLengthError * scene.camera.get_px(), 2.);
+    }
+  }
 }
 
 /*! All of the light, the print and the lens; the calibration is no matter of the estimator's. */
@@ -170,6 +193,8 @@ const std::vector<Factor> &factors()
       {"kud +0.2", nullptr, radial(0.2), false},
       {"fisheye", nullptr, fisheye(), false},
       {"all at once", everything, {}, true},
+      {"principal point, told", statedPrincipalPoint, {}, false},
+      {"focal length, told", statedFocalLength, {}, false},
   };
   return all;
 }

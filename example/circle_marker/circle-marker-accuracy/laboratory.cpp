@@ -134,6 +134,7 @@ Record Laboratory::measure(const Scene &scene, const Limit &limit)
   photograph(scene, scene.marker());
   CircleDetector &detector = place->second;
   Record record = recordOf(scene, limit);
+  detector.setCameraCovariance(scene.assumedCovariance);
   addError(detector.look(m_image, scene.assumed, scene.id), scene, record);
   if (record.isFound()) {
     const vpCircleMarkerDetection &detection = *detector.last();

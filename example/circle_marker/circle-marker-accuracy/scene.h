@@ -25,6 +25,7 @@
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 #include <visp3/circle_marker_simulator/vpMarkerSceneSimulator.h>
 #include <visp3/core/vpCameraParameters.h>
+#include <visp3/core/vpMatrix.h>
 
 #include "common/seeds.h"
 #include "settings.h"
@@ -68,6 +69,7 @@ struct Scene
   vpHomogeneousMatrix cMo;            //!< z into the marker, metres.
   vpCameraParameters camera;          //!< Of the window.
   vpCameraParameters assumed;         //!< What the detector is told.
+  vpMatrix assumedCovariance;         //!< And how well that is known; empty: exactly.
   unsigned int width = 0, height = 0; //!< Of the window, pixels.
   vpScenePhotometry photometry;       //!< Of the picture.
   vpScenePhotometry modelled;         //!< Of the bound: what the model knows.

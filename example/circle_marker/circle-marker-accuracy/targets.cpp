@@ -148,7 +148,7 @@ void addModel(const Records &model, std::vector<Check> &checks)
                         s.depthSpread / root(s.right)});
     }
     if (name.find(" off") != std::string::npos) {
-      continue; // What a wrong calibration does to a pose no image tells.
+      continue; // What a wrong calibration does to a pose no image tells: the detector has to be told.
     }
     for (int q = 0; q < QUANTITIES; ++q) {
       checks.push_back({std::string("RMS / reported sigma, ") + quantityNames[q], name, s.optimism[q], -infinity, 2.,

@@ -132,6 +132,11 @@ nlohmann::json jsonOf(const Report &report, const Calibration &calibration)
   for (std::size_t i = 0; i < names.size() && a.covariance.size() > 0; ++i) {
     json["sigma"][names[i]] = sigmaOf(a, static_cast<int>(i));
   }
+  constexpr Eigen::Index ofCamera = 4; // px, py, u0, v0, as vpDetectorCircleMarker::setCameraCovariance() takes them
+  for (Eigen::Index i = 0; i < ofCamera && a.covariance.size() > 0; ++i) {
+    const Eigen::Vector4d row = a.covariance.row(i).head<ofCamera>();
+    json["cameraCovariance"].push_back({row[0], row[1], row[2], row[3]});
+  }
   const ViewSpread spread = spreadOf(calibration.views, a);
   json["greatest_turn_degrees"] = spread.greatestTurn * 180. / M_PI;
   json["reach"] = spread.reach;

@@ -46,6 +46,9 @@ public:
   /*! \e size: Outer diameter of the ring, metres. */
   CircleDetector(const vpCircleMarkerFamily &family, double size);
 
+  /*! What the detector is told of the camera's calibration: see vpDetectorCircleMarker. */
+  void setCameraCovariance(const vpMatrix &covariance) { m_detector.setCameraCovariance(covariance); }
+
   /*! Looks for the marker of an id, -1 in a family without code. */
   Sighting look(const vpImage<unsigned char> &I, const vpCameraParameters &cam, int id);
 

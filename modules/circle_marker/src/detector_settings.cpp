@@ -19,6 +19,8 @@
 
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
+
 #include <visp3/core/vpException.h>
 
 #include "support/json_file.h"
@@ -33,6 +35,20 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+void checkCameraCovariance(const Eigen::Matrix4d &covariance)
+{
+  constexpr double rounding = 1e-9; // of what was written as text
+  const double largest = covariance.cwiseAbs().maxCoeff();
+  const bool isSymmetric = (covariance - covariance.transpose()).cwiseAbs().maxCoeff() <= rounding * largest;
+  if (!covariance.allFinite() || !isSymmetric ||
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(covariance, Eigen::EigenvaluesOnly).eigenvalues().minCoeff() <
+          -rounding * largest) {
+    throw vpException(vpException::badValue,
+                      "the camera's covariance must be a symmetric matrix of pixels^2 of (px, py, u0, v0), with no "
+                      "direction in which the variance is negative");
+  }
+}
+
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
 namespace {
 using Json = nlohmann::json;
@@ -103,6 +119,35 @@ std::map<int, double> readSizes(const std::string &key, const Json &value)
   return sizes;
 }
 
+Eigen::Matrix4d readCameraCovariance(const std::string &key, const Json &value)
+{
+  const std::string wanted = "four lists of four numbers: the covariance of px, py, u0 and v0, pixels^2";
+  Eigen::Matrix4d covariance;
+  if (!value.is_array() || value.size() != 4) {
+    refuse(key, wanted);
+  }
+  for (int i = 0; i < 4; ++i) {
+    const Json &row = value.at(static_cast<std::size_t>(i));
+    if (!row.is_array() || row.size() != 4) {
+      refuse(key, wanted);
+    }
+    for (int j = 0; j < 4; ++j) {
+      covariance(i, j) = row.at(static_cast<std::size_t>(j)).get<double>();
+    }
+  }
+  checkCameraCovariance(covariance);
+  return covariance;
+}
+
+Json written(const Eigen::Matrix4d &covariance)
+{
+  Json rows = Json::array();
+  for (int i = 0; i < 4; ++i) {
+    rows.push_back({covariance(i, 0), covariance(i, 1), covariance(i, 2), covariance(i, 3)});
+  }
+  return rows;
+}
+
 // Names of the polarities in their order.
 constexpr std::array<const char *, 3> polarities = {"black on white", "white on black", "both"};
 
@@ -155,10 +200,14 @@ void read(const Json &json, DetectorSettings &settings)
     else if (key == "fullSearchPeriod") {
       settings.fullSearchPeriod = readCount(key, value, 1);
     }
+    else if (key == "cameraCovariance") {
+      settings.cameraCovariance = readCameraCovariance(key, value);
+    }
     else {
       throw vpException(vpException::badValue,
                         "unknown setting \"%s\"; known are families, sizes, maximumHammingDistance, minimumMargin, "
-                        "refinePose, zAlignedWithCameraAxis, polarity, threads, tracking, fullSearchPeriod",
+                        "refinePose, zAlignedWithCameraAxis, polarity, threads, tracking, fullSearchPeriod, "
+                        "cameraCovariance",
                         key.c_str());
     }
   }
@@ -200,6 +249,7 @@ void writeSettings(const std::string &filename, const DetectorSettings &settings
   json["threads"] = settings.threads;
   json["tracking"] = settings.tracking;
   json["fullSearchPeriod"] = settings.fullSearchPeriod;
+  json["cameraCovariance"] = written(settings.cameraCovariance);
   if (!writeWhole(filename, json.dump(2) + "\n")) {
     throw vpException(vpException::ioError, "cannot write the settings file \"%s\"; is its folder there and writable?",
                       filename.c_str());

@@ -22,6 +22,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include <visp3/circle_marker/vpCircleMarkerPolarity.h>
 
 #include "decode/identify.h"
@@ -41,7 +43,12 @@ struct DetectorSettings
   unsigned int threads = 1;                                                 //!< Number of threads.
   bool tracking = false;              //!< Whether markers are looked for near the places they had.
   unsigned int fullSearchPeriod = 10; //!< Tracking: every so many images, the whole one is searched.
+  //! Of the camera's (px, py, u0, v0), pixels^2; 0: it is known.
+  Eigen::Matrix4d cameraCovariance = Eigen::Matrix4d::Zero();
 };
+
+/*! \exception vpException::badValue : If it is no covariance: not symmetric, or a variance below 0. */
+void checkCameraCovariance(const Eigen::Matrix4d &covariance);
 
 /*!
   Reads settings from a JSON file; what it does not name stays as in \e settings.

@@ -24,6 +24,7 @@
 #include "pose/hypotheses.h"
 #include "refine/blur_shape.h"
 #include "refine/blurred_measurement.h"
+#include "refine/camera_doubt.h"
 #include "refine/measure.h"
 #include "refine/report.h"
 #include "debug_record.h"
@@ -210,6 +211,7 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
   if (settings.refinePose && !marker.family.isCoded()) {
     widenByShapeOfBlur(m_outlines.full.gradient.noise, measurement->first);
   }
+  addCameraDoubt(settings.cameraCovariance, marker.family, visit.camera, measurement->first);
   const double visible = !marker.seen          ? outline.support
                          : settings.refinePose ? visibleEdgeOf(visit.I, visit.camera, marker, *measurement)
                                                : marker.seen->share();

@@ -126,6 +126,50 @@ void vpDetectorCircleMarker::setRefinePose(bool refine)
 }
 
 /*!
+  Without it the covariance of a pose is that of an exactly known camera. A principal point that is off by 0.3 % of the
+  image's width turns all poses about the camera by as much, which can be a thousand times what the noise does.
+
+  All poses from one camera have this part of their error in common: it does not become less in their mean.
+
+  \param covariance : 4 x 4 covariance of (px, py, u0, v0), pixels^2, as a calibration gives it; it is propagated to the
+  covariance of every pose. Empty: the camera is known exactly (the default).
+  \exception vpException::dimensionError : If it is neither empty nor 4 x 4.
+  \exception vpException::badValue : If it is not symmetric, or a variance is negative.
+*/
+void vpDetectorCircleMarker::setCameraCovariance(const vpMatrix &covariance)
+{
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  if (covariance.size() > 0) {
+    if (covariance.getRows() != 4 || covariance.getCols() != 4) {
+      throw vpException(vpException::dimensionError,
+                        "vpDetectorCircleMarker: the camera's covariance is %u x %u; it must be 4 x 4, or empty",
+                        covariance.getRows(), covariance.getCols());
+    }
+    for (unsigned int i = 0; i < 4; ++i) {
+      for (unsigned int j = 0; j < 4; ++j) {
+        matrix(i, j) = covariance[i][j];
+      }
+    }
+    circle_marker::checkCameraCovariance(matrix);
+  }
+  m_impl->settings.cameraCovariance = matrix;
+}
+
+/*!
+  \return 4 x 4 covariance of the camera's (px, py, u0, v0), pixels^2: see setCameraCovariance().
+*/
+vpMatrix vpDetectorCircleMarker::getCameraCovariance() const
+{
+  vpMatrix covariance(4, 4);
+  for (unsigned int i = 0; i < 4; ++i) {
+    for (unsigned int j = 0; j < 4; ++j) {
+      covariance[i][j] = m_impl->settings.cameraCovariance(i, j);
+    }
+  }
+  return covariance;
+}
+
+/*!
   \param aligned : Whether the marker's z axis points into the marker (and y down), or toward the camera (and y up),
   which is the default as in vpDetectorAprilTag.
 */
@@ -145,7 +189,8 @@ bool vpDetectorCircleMarker::isZAlignedWithCameraAxis() const
 /*!
   Reads settings from a JSON file; those it does not name stay as they are. Keys: families (list of names), sizes
   (id to metres), maximumHammingDistance, minimumMargin, refinePose, zAlignedWithCameraAxis, polarity
-  ("black on white", "white on black", "both"), threads, tracking, fullSearchPeriod.
+  ("black on white", "white on black", "both"), threads, tracking, fullSearchPeriod, cameraCovariance (four lists of
+  four numbers).
 
   \param filename : Its path.
   \exception vpException::ioError : If it cannot be read.

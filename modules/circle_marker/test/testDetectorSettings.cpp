@@ -89,6 +89,8 @@ TEST(DetectorSettings, WrittenAndReadAgain)
   settings.zAlignedWithCameraAxis = true;
   settings.polarity = vpCircleMarkerPolarity::WHITE_ON_BLACK;
   settings.threads = 3;
+  settings.cameraCovariance.diagonal() << 4., 4., 0.25, 0.36;
+  settings.cameraCovariance(0, 1) = settings.cameraCovariance(1, 0) = 3.9;
   TestFile file;
   writeSettings(file.name(), settings);
   const DetectorSettings read = readSettings(file.name(), defaults());
@@ -102,6 +104,21 @@ TEST(DetectorSettings, WrittenAndReadAgain)
   EXPECT_TRUE(read.zAlignedWithCameraAxis);
   EXPECT_EQ(read.polarity, vpCircleMarkerPolarity::WHITE_ON_BLACK);
   EXPECT_EQ(read.threads, 3u);
+  EXPECT_EQ(read.cameraCovariance, settings.cameraCovariance);
+}
+
+TEST(DetectorSettings, WhatIsNoCovarianceOfTheCameraIsRefused)
+{
+  const char *start = "{\"cameraCovariance\": ";
+  for (const char *matrix : {"3", "[]", "[[1, 0, 0, 0]]", "[[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0]]",
+                             "[[1, 0, 0, 0], [0, -1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]",
+                             "[[1, 0.5, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]",
+                             "[[1, 2, 0, 0], [2, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]",
+                             "[[\"a\", 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]"}) {
+    EXPECT_NE(complaintAbout(std::string(start) + matrix + "}"), "") << matrix;
+  }
+  // As four calibrations of one focal length give it: singular.
+  EXPECT_EQ(complaintAbout(std::string(start) + "[[4, 4, 0, 0], [4, 4, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]}"), "");
 }
 
 TEST(DetectorSettings, TheRatioOfARingIsKept)

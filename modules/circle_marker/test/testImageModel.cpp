@@ -18,8 +18,8 @@
 #include "testPatternDistance.h"
 #include "testRoomTools.h"
 
-#include "refine/image_model.h"
 #include "refine/fit_pixels.h"
+#include "refine/image_model.h"
 #include "support/camera_model.h"
 
 using namespace circle_marker;

@@ -44,6 +44,17 @@ Eigen::Matrix2d CameraModel::meterPerPixel(const Eigen::Vector2d &pixel) const
   return jacobian / (2. * step);
 }
 
+Eigen::Matrix<double, 2, 4> CameraModel::meterByParameters(const Eigen::Vector2d &pixel) const
+{
+  // All models begin with ((u - u0) / px, (v - v0) / py).
+  const Eigen::Matrix2d byPixel = meterPerPixel(pixel);
+  Eigen::Matrix<double, 2, 4> jacobian;
+  jacobian.col(0) = -(pixel.x() - m_camera.get_u0()) * m_camera.get_px_inverse() * byPixel.col(0);
+  jacobian.col(1) = -(pixel.y() - m_camera.get_v0()) * m_camera.get_py_inverse() * byPixel.col(1);
+  jacobian.rightCols<2>() = -byPixel;
+  return jacobian;
+}
+
 Eigen::Vector2d CameraModel::toPixel(const Eigen::Vector2d &meter) const
 {
   Eigen::Vector2d pixel;

@@ -41,6 +41,9 @@ public:
   /*! Derivative of toMeter(). */
   Eigen::Matrix2d meterPerPixel(const Eigen::Vector2d &pixel) const;
 
+  /*! Derivative of toMeter() by (px, py, u0, v0), 1 / pixel. */
+  Eigen::Matrix<double, 2, 4> meterByParameters(const Eigen::Vector2d &pixel) const;
+
   /*! The pixel whose normalised coordinates are \e meter: inverse of toMeter(), by Newton's method. */
   Eigen::Vector2d toPixel(const Eigen::Vector2d &meter) const;
 

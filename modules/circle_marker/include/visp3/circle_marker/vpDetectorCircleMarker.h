@@ -122,6 +122,8 @@ public:
   vpCircleMarkerPolarity getPolarity() const;
   void setTracking(bool tracking, unsigned int fullSearchPeriod = 10);
   void setRefinePose(bool refine);
+  void setCameraCovariance(const vpMatrix &covariance);
+  vpMatrix getCameraCovariance() const;
   void setZAlignedWithCameraAxis(bool aligned);
   bool isZAlignedWithCameraAxis() const;
   void loadConfigFile(const std::string &filename);
