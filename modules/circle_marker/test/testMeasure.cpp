@@ -67,6 +67,38 @@ TEST(Measure, TheTruthComesFirst)
   }
 }
 
+// The few pixels of the coarse fits tell little of a small marker, and may be explained by the wrong pose far better
+// than by a right one whose fit is stuck.
+TEST(Measure, NoSmallMarkerIsSureOfTheWrongPose)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  constexpr unsigned int window = 40;
+  constexpr int count = 1000;
+  std::normal_distribution<double> normal(0., 1.);
+  int sure = 0;
+  int right = 0;
+  for (int i = 0; i < count; ++i) {
+    const int id = static_cast<int>(random() % family.getNbIds());
+    const MarkerScene scene = markerScene(random, family, id, 17., uniform(random, 0.5, 1.1), window);
+    const vpImage<unsigned char> I = digitise(expose(window, window, 0.7, scene), 2., random);
+    Recognition marker = recognised(scene, id, i % 2);
+    for (MarkerPlane &plane : marker.poses) { // as an outline of few pixels tells them
+      plane.center *= 1. + 0.02 * normal(random);
+      plane.rotation = turn(0.15, Eigen::Vector3d(normal(random), normal(random), 0.1)) * plane.rotation;
+    }
+    MeasureMemory memory;
+    const auto result = measure(I, CameraModel(scene.camera()), marker, true, memory);
+    if (result) {
+      const bool isRight = angleBetween(result->first.plane.rotation.col(2), scene.rotation.col(2)) < 0.3;
+      right += isRight ? 1 : 0;
+      sure += !isRight && result->cost2 - result->cost > 15. ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(sure, 0);
+  EXPECT_GT(right, count * 8 / 10);
+}
+
 // Two and a half times too much light: all paper is 255, and the outline that starts are taken from has shrunk.
 TEST(Measure, TheTruthComesFirstInOverExposedPictures)
 {

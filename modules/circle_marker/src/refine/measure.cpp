@@ -76,6 +76,9 @@ constexpr double mostGrowth = 0.9;
 constexpr double sameLight = 0.03;
 // A pose whose log-odds against are beyond this on the coarse pixels is not refined any further.
 constexpr double hopelessOdds = 30.;
+// Of smaller markers, radius in pixels, both are refined: all pixels cost little more than the few, and a coarse fit
+// that was stuck made the right pose of some markers of 16 pixels hopeless.
+constexpr double leastHopelessSize = 20.;
 // And a fit that is so far behind another one, and does not catch up, is not taken to its end; if there is a code:
 // without one the poses differ by little, and come to their likelihoods slowly.
 constexpr double givenUpOdds = 3. * hopelessOdds;
@@ -380,7 +383,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   std::optional<FittedPose> hopeless;
   double hopelessCost = 0.;
   if (refine) {
-    if (fits.size() > 1 && isHopeless(fits[1], fits[0], noise)) {
+    if (fits.size() > 1 && frame.size > leastHopelessSize && isHopeless(fits[1], fits[0], noise)) {
       hopeless = fits[1];
       hopelessCost = (fits[1].squares - fits[0].squares) / (2. * noise * noise);
       fits.pop_back();
