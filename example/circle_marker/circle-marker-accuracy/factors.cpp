@@ -193,8 +193,8 @@ const std::vector<Factor> &factors()
       {"kud +0.2", nullptr, radial(0.2), false},
       {"fisheye", nullptr, fisheye(), false},
       {"all at once", everything, {}, true},
-      {"principal point, told", statedPrincipalPoint, {}, false},
-      {"focal length, told", statedFocalLength, {}, false},
+      {"principal point 0.5 % stated", statedPrincipalPoint, {}, false},
+      {"focal length 0.5 % stated", statedFocalLength, {}, false},
   };
   return all;
 }

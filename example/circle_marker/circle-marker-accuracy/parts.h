@@ -33,7 +33,7 @@ constexpr const char *families[] = {"golay23", "bch31", "ring"};
 /*! A range of distance and tilt at which the two poses are told apart, or are one. */
 struct DistanceCell
 {
-  const char *name;
+  const char *name;           //!< Without a comma: a column of accuracy.csv.
   double distance;            //!< Depth of the marker's centre, metres.
   double leastTilt, mostTilt; //!< Degrees.
 };
@@ -48,7 +48,7 @@ constexpr double distanceCellSize = 0.2; //!< Metres.
 /*! Something the estimator does not know of. */
 struct Factor
 {
-  const char *name;
+  const char *name;                          //!< Without a comma: a column of accuracy.csv.
   void (*apply)(Scene &scene, Draws &draws); //!< Changes the scene; may be nothing.
   std::optional<Camera> camera;              //!< Another camera, whose parameters are known.
   bool isModelled = false;                   //!< Whether the bound is of the changed scene.
