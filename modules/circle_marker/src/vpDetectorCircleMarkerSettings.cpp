@@ -126,8 +126,9 @@ void vpDetectorCircleMarker::setRefinePose(bool refine)
 }
 
 /*!
-  Without it the covariance of a pose is that of an exactly known camera. A principal point that is off by 0.3 % of the
-  image's width turns all poses about the camera by as much, which can be a thousand times what the noise does.
+  Without it the covariance of a pose is that of an exactly known camera. A principal point that is off by one pixel
+  turns all poses about the camera by 1/f radians, f the focal length in pixels, which may be far more than the noise
+  does.
 
   All poses from one camera have this part of their error in common: it does not become less in their mean.
 

@@ -15,10 +15,7 @@
  * Tests of what a doubtful calibration adds to the covariance.
  */
 
-#include "testRoomTools.h"
-
-#include <Eigen/Geometry>
-#include <Eigen/LU>
+#include "testFitTools.h"
 
 #include "refine/camera_doubt.h"
 #include "refine/measure.h"
@@ -38,15 +35,6 @@ vpCameraParameters changed(const vpCameraParameters &camera, int k, double by)
   vpCameraParameters other;
   other.initPersProjWithoutDistortion(parameters[0], parameters[1], parameters[2], parameters[3]);
   return other;
-}
-
-//! (t, w) from one pose to another, as in image_model.h.
-Twist twistBetween(const MarkerPlane &from, const MarkerPlane &to)
-{
-  const Eigen::AngleAxisd rotation(Eigen::Matrix3d(to.rotation * from.rotation.transpose()));
-  Twist twist;
-  twist << to.center - from.center, rotation.angle() * rotation.axis();
-  return twist;
 }
 
 std::optional<FittedPose> fitted(const vpImage<unsigned char> &I, const vpCameraParameters &camera,
@@ -80,7 +68,7 @@ TEST(CameraDoubt, ThePoseMovesAsTheRefinementsDoes)
         const double step = k < 2 ? 0.002 * scene.camera().get_px() : 1.; // pixels
         const auto there = fitted(I, changed(scene.camera(), k, step), scene, id);
         ASSERT_TRUE(there);
-        const Twist actual = twistBetween(at->plane, there->plane);
+        const Twist actual = fit_test::errorOf(at->plane, there->plane);
         const Twist expected = step * derivative.col(k);
         // Relative, and where hardly anything moves, to what a principal point that is moved as far would do.
         const double angle = step / scene.camera().get_px();
