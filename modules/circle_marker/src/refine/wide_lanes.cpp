@@ -57,7 +57,11 @@
 #define CIRCLE_MARKER_WIDE_LANES
 
 #include "refine/coherence.cpp"
+#include "refine/fit_conclusion.cpp"
 #include "refine/fit_pixels.cpp"
+#include "refine/fit_preparation.cpp"
+#include "refine/fit_progress.cpp"
+#include "refine/fit_step.cpp"
 #include "refine/image_model.cpp"
 #include "refine/lanes_fitter.h"
 #include "refine/likelihood.cpp"

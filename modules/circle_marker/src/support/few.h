@@ -53,8 +53,8 @@ public:
   const Element *data() const { return m_elements.data(); }
   Element &operator[](std::size_t i) { return m_elements[i]; }
   const Element &operator[](std::size_t i) const { return m_elements[i]; }
-  Element &front() { return m_elements[0]; }
-  Element &back() { return m_elements[m_size - 1]; }
+  const Element &front() const { return m_elements[0]; }
+  const Element &back() const { return m_elements[m_size - 1]; }
   Element *begin() { return m_elements.data(); }
   Element *end() { return m_elements.data() + m_size; }
   const Element *begin() const { return m_elements.data(); }

@@ -1,0 +1,178 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Fits of a marker on few pixels: which poses are worth more, and how wide the blur is.
+ */
+
+#include "refine/coarse_fits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "refine/few_pixels.h"
+#include "refine/fit_starts.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Bounds of the blur that sets the width of the band of pixels around an edge, pixels, and of its elongation: motion
+// of 12 pixels makes a sharp picture's blur 4.5 times as long as wide.
+constexpr double leastBlur = 0.6;
+constexpr double mostBlur = 6.;
+constexpr double mostElongation = 0.75;
+// Pixels that were chosen for a blur narrower than the present one by this factor in any direction do not show it.
+constexpr double muchWiderBlur = 1.5;
+// How far the fits may go from the outlines until their pixels are sorted anew, pixels.
+constexpr double coarseError = 2.;
+// Borders of sectors that a pixel may see: of those farther away few see any.
+constexpr int coarseBorders = 3;
+// Last step, in standard deviations, and steps at most: a pose that fits badly creeps. Where there is no code, or
+// perhaps another one, even the right one may.
+constexpr double coarseConvergence = 0.5;
+constexpr int coarseIterations = 4;
+constexpr int coarseIterationsUncertain = 6;
+// Looks at few pixels: those around an outline that is off by more than the blur do not show where it should be.
+constexpr int mostLooks = 3;
+constexpr double farOff = 0.8; // pixels
+
+// The coarse fits of a marker with one print.
+class CoarseFits
+{
+public:
+  CoarseFits(const MarkerInImage &view, const MarkerPattern &pattern, const FitSettings &settings,
+             std::vector<FitPixel> &pixels, Fitter &fitter)
+      : m_view(view), m_pattern(pattern), m_settings(settings), m_pixels(pixels), m_fitter(fitter)
+  {
+  }
+
+  // From all starts; if the best has come far from its start, again on the pixels around where it is now.
+  RankedFits fit()
+  {
+    RankedFits ranked;
+    Few<MarkerPlane> around;
+    for (const MarkerPlane &pose : m_view.marker.poses) {
+      around.push_back(pose);
+    }
+    Few<FitStart> starts = startsOf(m_view.marker.poses, m_view.camera, m_settings.spinIsKnown);
+    BlurParameters blur; // of a sharp picture
+    for (int look = 0; look < mostLooks; ++look) {
+      const RankedFits now = fitAround(around, blur, starts);
+      if (now.fits.empty()) {
+        break;
+      }
+      ranked = now;
+      const Few<FittedPose> &fits = ranked.fits;
+      const MarkerPlane &best = fits[0].plane;
+      const auto isNear = [&](const MarkerPlane &looked) {
+        return outlineMotion(looked, best) < farOff * meterPerPixelAt(best, m_view.camera);
+      };
+      const BlurParameters fitted = boundedBlur(fits[0].photometry.blur);
+      const bool isWide = fitted.widest() > muchWiderBlur * blur.widest();
+      // With a light far from what was guessed, of which an over-exposed picture shows little, even the best creeps.
+      // They all stand in the same light.
+      const bool isSettled = fits[0].isSettled || m_settings.mostIterations == 0;
+      if (!isWide && isSettled && std::any_of(around.begin(), around.end(), isNear)) {
+        break;
+      }
+      blur = fitted;
+      around.clear();
+      starts.clear();
+      for (const FittedPose &fit : fits) {
+        around.push_back(fit.plane);
+        std::optional<Photometry> light;
+        if (isWide || !isSettled) {
+          light = isSettled ? fit.photometry : fits[0].photometry;
+        }
+        starts.push_back({fit.plane, light, std::nullopt});
+      }
+    }
+    return ranked;
+  }
+
+  // What covers a part of a marker draws its outline aside, and of the two poses the right one may end in a minimum
+  // beside its own, where it looks hopeless: the mirrored pose of the best fit is a start that nothing has drawn.
+  RankedFits fitMirrored(const RankedFits &ranked)
+  {
+    const Few<FittedPose> &fits = ranked.fits;
+    if (fits.empty() || (fits.size() > 1 && isSameLight(fits[0].photometry, fits[1].photometry))) {
+      return ranked;
+    }
+    Few<MarkerPlane> around;
+    Few<FitStart> starts;
+    for (const MarkerPlane &plane : {fits[0].plane, mirrored(fits[0].plane)}) {
+      around.push_back(plane);
+      starts.push_back({plane, fits[0].photometry, std::nullopt});
+    }
+    if (fits.size() > 1) {
+      starts.push_back({fits[1].plane, fits[1].photometry, std::nullopt});
+    }
+    const BlurParameters blur = boundedBlur(fits[0].photometry.blur);
+    const RankedFits again = fitAround(around, blur, starts);
+    return again.fits.empty() ? ranked : again;
+  }
+
+private:
+  // From all starts on the pixels around some poses; those that are the same count once.
+  RankedFits fitAround(const Few<MarkerPlane> &around, const BlurParameters &blur, const Few<FitStart> &starts)
+  {
+    selectFewPixels(m_view.I, m_view.camera, m_view.frame, around.data(), around.size(), m_pattern, blur, m_pixels);
+    dropCovered(m_view.marker, m_pixels);
+    RankedFits ranked = rank(m_pixels, m_pattern, m_settings.exactBends,
+                             fitAll(m_pixels, starts, m_pattern, m_settings, m_fitter), m_fitter);
+    keepTwo(ranked);
+    return ranked;
+  }
+
+  const MarkerInImage &m_view;
+  const MarkerPattern &m_pattern;
+  const FitSettings m_settings;
+  std::vector<FitPixel> &m_pixels;
+  Fitter &m_fitter;
+};
+} // namespace
+
+BlurParameters boundedBlur(const BlurParameters &fitted)
+{
+  BlurParameters blur;
+  blur.sigma = std::clamp(fitted.sigma, leastBlur, mostBlur);
+  const double size = fitted.elongation.norm();
+  blur.elongation = fitted.elongation * std::min(1., mostElongation / std::max(size, 1e-12));
+  return blur;
+}
+
+void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
+{
+  if (marker.seen) {
+    pixels.erase(std::remove_if(pixels.begin(), pixels.end(),
+                                [&](const FitPixel &pixel) { return !marker.seen->holds(pixel.meter.cast<double>()); }),
+                 pixels.end());
+  }
+}
+
+RankedFits fitFewPixels(const MarkerInImage &view, const MarkerPattern &pattern, bool refine,
+                        const FitSettings &settings, std::vector<FitPixel> &pixels, Fitter &fitter)
+{
+  FitSettings coarse = settings;
+  coarse.convergence = coarseConvergence;
+  coarse.poseError = coarseError;
+  coarse.bordersSeen = coarseBorders;
+  coarse.exactBends = false;
+  const bool isCodeKnown = pattern.sectors > 0 && view.marker.isCertain;
+  coarse.mostIterations = !refine ? 0 : isCodeKnown ? coarseIterations : coarseIterationsUncertain;
+  CoarseFits fits(view, pattern, coarse, pixels, fitter);
+  const RankedFits ranked = fits.fit();
+  return view.marker.seen && refine ? fits.fitMirrored(ranked) : ranked;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,58 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Fits of a marker on few pixels: which poses are worth more, and how wide the blur is.
+ */
+
+#ifndef VP_CIRCLE_MARKER_COARSE_FITS_H
+#define VP_CIRCLE_MARKER_COARSE_FITS_H
+
+#include "decode/recognise.h"
+#include "refine/ranked_fits.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! What the fits of a marker look at. */
+struct MarkerInImage
+{
+  const vpImage<unsigned char> &I;
+  const CameraModel &camera;
+  const ImageFrame frame; //!< Coordinates of the light.
+  const Recognition &marker;
+};
+
+/*! The blur by which pixels are chosen: that of a fit, within bounds. */
+BlurParameters boundedBlur(const BlurParameters &fitted);
+
+/*!
+  Leaves out what is known to be covered: much of it would pull the first steps away, and raise what is taken for noise.
+*/
+void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels);
+
+/*!
+  Fits from all starts on few pixels around them; if the best has come far from its start, again on the pixels around
+  where it is now.
+  \param view : What is looked at.
+  \param pattern : The print.
+  \param refine : Whether poses may move.
+  \param settings : Of the fit on all pixels.
+  \param pixels : Working memory, holds the few pixels.
+  \param fitter : Fits.
+*/
+RankedFits fitFewPixels(const MarkerInImage &view, const MarkerPattern &pattern, bool refine,
+                        const FitSettings &settings, std::vector<FitPixel> &pixels, Fitter &fitter);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

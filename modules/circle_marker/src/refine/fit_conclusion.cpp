@@ -1,0 +1,83 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What is known at the end of a fit besides pose and light.
+ */
+
+#include "refine/fit_conclusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "refine/fit_step.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
+namespace {
+// Standard deviation of the noise from the weighted residuals: more efficient than the median.
+double noiseOfSquares(const Equations &equations)
+{
+  // Of normal noise the biweight keeps this share of the mean square at its constant c:
+  // (1 - 6 / c^2 + 15 / c^4) / (1 - 2 / c^2 + 3 / c^4).
+  constexpr double biweightShrinkage = 0.828;
+  const double freedom = std::max(equations.kept - equations.used, 1.);
+  return std::max(std::sqrt(equations.squares / freedom / biweightShrinkage), quantisation);
+}
+
+// The biweight's mean is 0.915 with normal noise, and the equations' information with it; its efficiency is 0.95.
+constexpr double biweightCovariance = 0.915 / 0.95;
+
+// Covariance of (t, w) in the camera frame from that of the twist in the marker's.
+Eigen::Matrix<double, 6, 6> inCameraFrame(const Eigen::Matrix<double, 6, 6> &covariance, const MarkerPlane &plane)
+{
+  Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Zero();
+  change.topLeftCorner<3, 3>() = plane.radius * plane.rotation;
+  change.bottomRightCorner<3, 3>() = plane.rotation;
+  return change * covariance * change.transpose();
+}
+} // namespace
+
+bool conclude(const Likelihood &fit, const Equations &equations, const ParameterVector &lastStep, double noise,
+              const FitSettings &settings, FittedPose &result)
+{
+  result.squares = equations.cost;
+  result.noise = noiseOfSquares(equations);
+  const Explanation explanation = fit.explain(noise);
+  result.inliers = explanation.inliers;
+  result.correlation = explanation.correlation;
+  ParameterMatrix inverse = ParameterMatrix::Zero();
+  inverse.topLeftCorner(equations.used, equations.used) =
+      UsedMatrix(equations.matrix.topLeftCorner(equations.used, equations.used))
+          .ldlt()
+          .solve(UsedMatrix::Identity(equations.used, equations.used));
+  if (!inverse.allFinite()) {
+    return false;
+  }
+  result.decrement = equations.right.dot(inverse * equations.right);
+  const double coherence = settings.exactBends ? fit.coherence(inverse, lastStep, noise, equations.used) : 1.;
+  Eigen::Matrix<double, 6, 6> covariance =
+      coherence * biweightCovariance * result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
+  if (!settings.spinIsKnown) {
+    covariance.row(spinAt).setZero();
+    covariance.col(spinAt).setZero();
+  }
+  result.covariance = inCameraFrame(covariance, result.plane);
+  return true;
+}
+} // namespace CIRCLE_MARKER_LANES
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,96 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The pixels of a fit, prepared for the pose, the blur and the light that it has come to.
+ */
+
+#include "refine/fit_preparation.h"
+
+#include <algorithm>
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
+namespace {
+// The pixels are sorted again by what they see when the pose has moved by this share of what the sorting leaves room
+// for.
+constexpr double sortAgain = 0.5;
+// Or when the blur has become wider by this factor.
+constexpr double widerAgain = 1.2;
+// The correction of strong bends is made again at the end if pose or blur have changed by more than this, pixels: it
+// has changed by no more than a few hundredths of itself by then.
+constexpr double correctAgain = 0.1;
+// The surround is judged again at the end if it is by this factor more or less even than was thought.
+constexpr double unevenAgain = 1.4;
+// And on the way when the light has changed by this share of it: white paper beyond the quiet zone would be taken for
+// something else.
+constexpr double judgeAgain = 0.005;
+} // namespace
+
+FitPreparation::FitPreparation(const std::vector<FitPixel> &pixels, const FitSettings &settings, Likelihood &fit,
+                               const FitMemory &memory)
+    : m_pixels(pixels), m_sortAgain(sortAgain * settings.poseError), m_fit(fit), m_memory(memory),
+      m_hasPixels(settings.samePixels)
+{
+}
+
+void FitPreparation::sort(const MarkerPlane &plane, const Photometry &photometry, double noise)
+{
+  if (!m_hasPixels || !m_fit.keepPixels(m_pixels, plane, photometry, noise, m_sortAgain)) {
+    m_fit.setPixels(m_pixels, plane, photometry, noise);
+  }
+  m_hasPixels = true;
+  m_sorted = plane;
+  m_sortedBlur = photometry.blur.widest();
+}
+
+void FitPreparation::prepare(const MarkerPlane &plane, const Photometry &photometry, double noise)
+{
+  // The surround is judged with the light and the noise.
+  if (m_sortedBlur == 0. || !m_memory.blocks.surrounds.empty() || motion(m_sorted, plane) > 0. || isWider(photometry)) {
+    sort(plane, photometry, noise);
+  }
+  m_isBent = m_fit.correct(plane, photometry);
+  m_plane = plane;
+  m_photometry = photometry;
+}
+
+bool FitPreparation::isStale(const MarkerPlane &plane, const Photometry &photometry) const
+{
+  return motion(m_sorted, plane) > m_sortAgain || isWider(photometry) ||
+         (!m_memory.blocks.surrounds.empty() &&
+          std::abs(photometry.light - m_photometry.light) > judgeAgain * m_photometry.light);
+}
+
+bool FitPreparation::isRough(const MarkerPlane &plane, const Photometry &photometry) const
+{
+  const double uneven = photometry.unevenShare / m_photometry.unevenShare;
+  return (m_isBent && (motion(m_plane, plane) > correctAgain ||
+                       std::abs(photometry.blur.sigma - m_photometry.blur.sigma) > correctAgain)) ||
+         (!m_memory.blocks.surrounds.empty() && std::max(uneven, 1. / uneven) > unevenAgain);
+}
+
+double FitPreparation::motion(const MarkerPlane &from, const MarkerPlane &to) const
+{
+  return outlineMotion(from, to) / m_memory.blocks.reference.unit;
+}
+
+bool FitPreparation::isWider(const Photometry &photometry) const
+{
+  return photometry.blur.widest() > widerAgain * m_sortedBlur;
+}
+} // namespace CIRCLE_MARKER_LANES
+} // namespace circle_marker
+END_VISP_NAMESPACE

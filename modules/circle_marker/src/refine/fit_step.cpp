@@ -1,0 +1,94 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * One step of a fit: what it leads to, and whether that can be.
+ */
+
+#include "refine/fit_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+inline namespace CIRCLE_MARKER_LANES {
+namespace {
+// The blur stays between that of the pixel's own area and one that no marker is recognised through, pixels.
+constexpr double leastSigma = 0.29;
+constexpr double mostSigma = 20.;
+// What a shadow leaves of the light, and the softness of its edge, in units of the marker's size.
+constexpr double leastFactor = 0.02;
+constexpr double mostFactor = 1.;
+constexpr double leastSoftness = 0.003;
+constexpr double mostSoftness = 1.;
+// Light, contrast and blur that have changed by less than this share are the same to the matrix of a pass: by as much
+// it is wrong.
+constexpr double nearLight = 0.01;
+} // namespace
+
+ParameterVector solveEquations(const ParameterMatrix &matrix, const ParameterVector &right, Eigen::Index used)
+{
+  ParameterVector solution = ParameterVector::Zero();
+  solution.head(used) = UsedMatrix(matrix.topLeftCorner(used, used)).ldlt().solve(right.head(used));
+  return solution;
+}
+
+void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &photometry)
+{
+  plane.center += plane.radius * (plane.rotation * step.head<3>());
+  const Eigen::Vector3d turn = step.segment<3>(3);
+  const double angle = turn.norm();
+  if (angle > 0.) {
+    plane.rotation = plane.rotation * Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+  }
+  photometry.light += step[lightAt];
+  photometry.lightGradient += step.segment<2>(gradientAt);
+  photometry.contrast += step[contrastAt];
+  photometry.blur.sigma = std::clamp(photometry.blur.sigma + step[sigmaAt], leastSigma, mostSigma);
+  photometry.blur.elongate(step.segment<2>(elongationAt));
+  photometry.blur.growth += step[growthAt];
+  photometry.blur.spread += step[spreadAt];
+  for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+    photometry.surround[shape] += step[surroundAt + static_cast<int>(shape)];
+  }
+  if (photometry.shadow) {
+    Shadow &shadow = *photometry.shadow;
+    shadow.factor = std::clamp(shadow.factor + step[shadowAt], leastFactor, mostFactor);
+    shadow.direction += step[shadowAt + 1];
+    shadow.edge += step[shadowAt + 2];
+    shadow.softness = std::clamp(shadow.softness + step[shadowAt + 3], leastSoftness, mostSoftness);
+  }
+}
+
+bool isAlike(const Photometry &p, const Photometry &q)
+{
+  return std::abs(p.light - q.light) < nearLight * p.light && std::abs(p.contrast - q.contrast) < nearLight &&
+         std::abs(p.blur.sigma - q.blur.sigma) < nearLight * p.blur.sigma;
+}
+
+bool isVisible(const MarkerPlane &plane)
+{
+  return plane.center.z() > plane.radius * 0.1 && plane.rotation.col(2).dot(plane.center) > 0.;
+}
+
+bool isPrint(const Photometry &photometry)
+{
+  return photometry.light > 0. && photometry.contrast > 0.;
+}
+} // namespace CIRCLE_MARKER_LANES
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,114 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The fits of one marker, the likeliest first.
+ */
+
+#include "refine/ranked_fits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Two fits closer than this, in standard deviations, are one pose.
+constexpr double samePose = 0.3;
+// Difference of the blur, or of the growth of black, between two fits at their minimum, pixels.
+constexpr double sameLight = 0.03;
+// A pose whose log-odds against are beyond this on few pixels is not refined any further.
+constexpr double hopelessOdds = 30.;
+// And a fit that is so far behind another one, and does not catch up, is not taken to its end; if there is a code:
+// without one the poses differ by little, and come to their likelihoods slowly.
+constexpr double givenUpOdds = 3. * hopelessOdds;
+} // namespace
+
+Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> &starts, const MarkerPattern &pattern,
+                       FitSettings settings, Fitter &fitter)
+{
+  Few<FittedPose> fits;
+  for (const FitStart &start : starts) {
+    const auto fit = fitter.fitPose(pixels, start, pattern, settings);
+    settings.samePixels = true;
+    if (!fit) {
+      continue;
+    }
+    fits.push_back(*fit);
+    if (pattern.sectors > 0 && fit->isSettled && (!settings.rival || fit->noise < settings.rival->noise)) {
+      settings.rival = Rival{fit->squares, fit->noise, givenUpOdds};
+    }
+  }
+  return fits;
+}
+
+RankedFits rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, bool exactBends,
+                const Few<FittedPose> &unranked, Fitter &fitter)
+{
+  if (unranked.empty()) {
+    return {};
+  }
+  RankedFits ranked = {unranked, 0.};
+  Few<FittedPose> &fits = ranked.fits;
+  const auto best = std::min_element(fits.begin(), fits.end(),
+                                     [](const FittedPose &p, const FittedPose &q) { return p.noise < q.noise; });
+  ranked.noise = best->noise;
+  if (fits.size() > 1) {
+    const Photometry surround = best->photometry;
+    for (FittedPose &fit : fits) {
+      fit.squares = fitter.robustSquares(pixels, fit, pattern, surround, ranked.noise, exactBends);
+    }
+    const auto isBetter = [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; };
+    for (FittedPose *next = fits.begin(); next != fits.end(); ++next) {
+      std::iter_swap(next, std::min_element(next, fits.end(), isBetter));
+    }
+  }
+  return ranked;
+}
+
+bool isSamePose(const FittedPose &p, const FittedPose &q)
+{
+  const Eigen::Vector3d turn = 0.5 * (p.plane.rotation.col(2).cross(q.plane.rotation.col(2)));
+  const Eigen::Matrix3d covariance =
+      p.covariance.bottomRightCorner<3, 3>() + 1e-12 * Eigen::Matrix3d::Identity(); // the held spin leaves it singular
+  const double squared = 4. * turn.dot(covariance.inverse() * turn);
+  return p.plane.rotation.col(2).dot(q.plane.rotation.col(2)) > 0. && squared < samePose * samePose;
+}
+
+void keepTwo(RankedFits &ranked)
+{
+  Few<FittedPose> kept;
+  for (const FittedPose &fit : ranked.fits) {
+    if (kept.empty() || (kept.size() < 2 && !isSamePose(kept[0], fit))) {
+      kept.push_back(fit);
+    }
+  }
+  ranked.fits = kept;
+}
+
+bool isSameLight(const Photometry &p, const Photometry &q)
+{
+  return std::max(std::abs(p.blur.sigma - q.blur.sigma), std::abs(p.blur.growth - q.blur.growth)) < sameLight;
+}
+
+bool isHopeless(const FittedPose &fit, const FittedPose &best, double noise)
+{
+  const double behind = fit.squares - best.squares;
+  const double ahead = fit.isSettled ? 0. : std::min(fit.decrement, 0.5 * behind);
+  return behind - ahead > 2. * hopelessOdds * noise * noise;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,63 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The fits of one marker, the likeliest first.
+ */
+
+#ifndef VP_CIRCLE_MARKER_RANKED_FITS_H
+#define VP_CIRCLE_MARKER_RANKED_FITS_H
+
+#include <vector>
+
+#include "refine/fitter.h"
+#include "support/few.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! Fits on the same pixels, the best first, and its noise, by which all of them are judged, grey levels. */
+struct RankedFits
+{
+  Few<FittedPose> fits;
+  double noise = 0.;
+};
+
+/*!
+  Fits every start on the pixels; those that lead nowhere are left out. A start with a code that is far behind the best
+  fit before it, and does not catch up, is given up.
+*/
+Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> &starts, const MarkerPattern &pattern,
+                       FitSettings settings, Fitter &fitter);
+
+/*! Ranks fits by how well they explain the pixels, at the noise of the least noisy. */
+RankedFits rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, bool exactBends,
+                const Few<FittedPose> &fits, Fitter &fitter);
+
+/*! Whether two fits are one pose, to within what is known of it. */
+bool isSamePose(const FittedPose &p, const FittedPose &q);
+
+/*! Keeps the best pose and the best of those that are not the same as it. */
+void keepTwo(RankedFits &ranked);
+
+/*! Whether two fits stand in the same light and are equally sharp: if not, one of them is not at its minimum. */
+bool isSameLight(const Photometry &p, const Photometry &q);
+
+/*!
+  Whether a pose has no chance beside the best, by what few pixels say: neither as it is nor one step on, if its steps
+  were cut off. What that step would bring is known roughly, far from the minimum: to half of the way it is behind.
+*/
+bool isHopeless(const FittedPose &fit, const FittedPose &best, double noise);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
