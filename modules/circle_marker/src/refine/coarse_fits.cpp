@@ -64,7 +64,8 @@ public:
     for (const MarkerPlane &pose : m_view.marker.poses) {
       around.push_back(pose);
     }
-    Few<FitStart> starts = startsOf(m_view.marker.poses, m_view.camera, m_settings.spinIsKnown);
+    const bool mayMove = m_settings.mostIterations > 0;
+    Few<FitStart> starts = startsOf(m_view.marker.poses, m_view.camera, m_settings.spinIsKnown, mayMove);
     BlurParameters blur; // of a sharp picture
     for (int look = 0; look < mostLooks; ++look) {
       const RankedFits now = fitAround(around, blur, starts);
@@ -81,7 +82,7 @@ public:
       const bool isWide = fitted.widest() > muchWiderBlur * blur.widest();
       // With a light far from what was guessed, of which an over-exposed picture shows little, even the best creeps.
       // They all stand in the same light.
-      const bool isSettled = fits[0].isSettled || m_settings.mostIterations == 0;
+      const bool isSettled = fits[0].isSettled || !mayMove;
       if (!isWide && isSettled && std::any_of(around.begin(), around.end(), isNear)) {
         break;
       }

@@ -43,13 +43,13 @@ double meterPerPixelAt(const MarkerPlane &plane, const CameraModel &camera)
   return camera.meterPerPixel(camera.toPixel(plane.project(Eigen::Vector2d::Zero()))).col(0).norm();
 }
 
-Few<FitStart> startsOf(const PosePair &poses, const CameraModel &camera, bool spinIsKnown)
+Few<FitStart> startsOf(const PosePair &poses, const CameraModel &camera, bool spinIsKnown, bool mayMove)
 {
   const MarkerPlane &plane = poses[0];
   const Eigen::Vector3d sight = plane.center.normalized();
   const double radius = plane.radius / (plane.center.z() * meterPerPixelAt(plane, camera)); // pixels
   const double leastTilt = std::sqrt(2. * outlineError / radius); // its cosine shortens an axis by outlineError
-  if (std::acos(std::min(plane.rotation.col(2).dot(sight), 1.)) > leastTilt) {
+  if (!mayMove || std::acos(std::min(plane.rotation.col(2).dot(sight), 1.)) > leastTilt) {
     // Without a code the spins are any: what lies around the marker is known by its direction in one of them.
     MarkerPlane second = poses[1];
     if (!spinIsKnown) {

@@ -26,13 +26,14 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  Where to start from: the two poses of the outline; or, if it is too round to show its tilt, four directions of tilt.
-  Facing the camera is a saddle of the likelihood, from which no descent leads away.
+  Where to start from: the two poses of the outline; or, if it is too round to show its tilt and fits may move, four
+  directions of tilt. Facing the camera is a saddle of the likelihood, from which no descent leads away.
   \param poses : Of the outline.
   \param camera : That sees it.
   \param spinIsKnown : Whether a code has fixed the spin: else all starts have that of the first.
+  \param mayMove : Whether fits leave their starts: else these are the poses to choose from.
 */
-Few<FitStart> startsOf(const PosePair &poses, const CameraModel &camera, bool spinIsKnown);
+Few<FitStart> startsOf(const PosePair &poses, const CameraModel &camera, bool spinIsKnown, bool mayMove);
 
 /*! The pose that looks nearly the same: its normal on the other side of the line of sight. */
 MarkerPlane mirrored(const MarkerPlane &plane);

@@ -87,12 +87,15 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, Fit
   }
   RankedFits ranked = rank(memory.pixels, pattern, true,
                            fitAll(memory.pixels, starts, pattern, settings, *memory.fitter), *memory.fitter);
+  keepTwo(ranked);
   // From where a small marker's coarse fit ends, a wrong pose may come to its minimum and the right one be stuck.
   if (ranked.fits.size() > 1 && !isSameLight(ranked.fits[0].photometry, ranked.fits[1].photometry)) {
-    const FitStart again = {mirrored(ranked.fits[0].plane), ranked.fits[0].photometry, ranked.noise};
+    Few<FitStart> again;
+    again.push_back({mirrored(ranked.fits[0].plane), ranked.fits[0].photometry, ranked.noise});
     settings.samePixels = true;
-    if (const auto other = memory.fitter->fitPose(memory.pixels, again, pattern, settings)) {
-      ranked.fits.push_back(*other);
+    const Few<FittedPose> others = fitAll(memory.pixels, again, pattern, settings, *memory.fitter, ranked.fits[0]);
+    if (!others.empty()) {
+      ranked.fits.push_back(others[0]);
       ranked = rank(memory.pixels, pattern, true, ranked.fits, *memory.fitter);
       keepTwo(ranked);
     }

@@ -35,21 +35,54 @@ constexpr double hopelessOdds = 30.;
 // And a fit that is so far behind another one, and does not catch up, is not taken to its end; if there is a code:
 // without one the poses differ by little, and come to their likelihoods slowly.
 constexpr double givenUpOdds = 3. * hopelessOdds;
+// Cosine of the angle between the directions of two poses' tilts within which they lean to the same side.
+constexpr double oneSide = 0.5;
+
+// Angle between the normals of a fit and of another pose, in standard deviations of the fit; HUGE_VAL beyond 90
+// degrees.
+double distance(const FittedPose &fit, const MarkerPlane &other)
+{
+  const Eigen::Vector3d normal = fit.plane.rotation.col(2);
+  if (normal.dot(other.rotation.col(2)) <= 0.) {
+    return HUGE_VAL;
+  }
+  const Eigen::Vector3d turn = 0.5 * normal.cross(other.rotation.col(2));
+  const Eigen::Matrix3d covariance = fit.covariance.bottomRightCorner<3, 3>() +
+                                     1e-12 * Eigen::Matrix3d::Identity(); // the held spin leaves it singular
+  return 2. * std::sqrt(turn.dot(covariance.inverse() * turn));
+}
+
+// Whether two poses lean to the same side of the line of sight: the likelihood has one maximum on each, and what ends
+// beside it has not come to its end.
+bool isOnOneSide(const MarkerPlane &p, const MarkerPlane &q)
+{
+  const Eigen::Vector3d sight = p.center.normalized();
+  const auto lean = [&sight](const MarkerPlane &plane) {
+    const Eigen::Vector3d normal = plane.rotation.col(2);
+    return Eigen::Vector3d(normal - normal.dot(sight) * sight);
+  };
+  return lean(p).dot(lean(q)) > oneSide * lean(p).norm() * lean(q).norm();
+}
 } // namespace
 
 Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> &starts, const MarkerPattern &pattern,
-                       FitSettings settings, Fitter &fitter)
+                       FitSettings settings, Fitter &fitter, const std::optional<FittedPose> &before)
 {
+  const auto enter = [&](const FittedPose &fit) {
+    if (pattern.sectors > 0 && fit.isSettled && (!settings.rival || fit.noise < settings.rival->noise)) {
+      settings.rival = Rival{fit.squares, fit.noise, givenUpOdds};
+    }
+  };
+  if (before) {
+    enter(*before);
+  }
   Few<FittedPose> fits;
   for (const FitStart &start : starts) {
     const auto fit = fitter.fitPose(pixels, start, pattern, settings);
     settings.samePixels = true;
-    if (!fit) {
-      continue;
-    }
-    fits.push_back(*fit);
-    if (pattern.sectors > 0 && fit->isSettled && (!settings.rival || fit->noise < settings.rival->noise)) {
-      settings.rival = Rival{fit->squares, fit->noise, givenUpOdds};
+    if (fit) {
+      fits.push_back(*fit);
+      enter(*fit);
     }
   }
   return fits;
@@ -81,11 +114,7 @@ RankedFits rank(const std::vector<FitPixel> &pixels, const MarkerPattern &patter
 
 bool isSamePose(const FittedPose &p, const FittedPose &q)
 {
-  const Eigen::Vector3d turn = 0.5 * (p.plane.rotation.col(2).cross(q.plane.rotation.col(2)));
-  const Eigen::Matrix3d covariance =
-      p.covariance.bottomRightCorner<3, 3>() + 1e-12 * Eigen::Matrix3d::Identity(); // the held spin leaves it singular
-  const double squared = 4. * turn.dot(covariance.inverse() * turn);
-  return p.plane.rotation.col(2).dot(q.plane.rotation.col(2)) > 0. && squared < samePose * samePose;
+  return distance(p, q.plane) < samePose || isOnOneSide(p.plane, q.plane);
 }
 
 void keepTwo(RankedFits &ranked)

@@ -35,15 +35,24 @@ struct RankedFits
 /*!
   Fits every start on the pixels; those that lead nowhere are left out. A start with a code that is far behind the best
   fit before it, and does not catch up, is given up.
+  \param pixels : What is explained.
+  \param starts : From where.
+  \param pattern : The print.
+  \param settings : Of the fits.
+  \param fitter : Fits.
+  \param before : The best of earlier fits on these pixels, if there are any.
 */
 Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> &starts, const MarkerPattern &pattern,
-                       FitSettings settings, Fitter &fitter);
+                       FitSettings settings, Fitter &fitter, const std::optional<FittedPose> &before = std::nullopt);
 
 /*! Ranks fits by how well they explain the pixels, at the noise of the least noisy. */
 RankedFits rank(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, bool exactBends,
                 const Few<FittedPose> &fits, Fitter &fitter);
 
-/*! Whether two fits are one pose, to within what is known of it. */
+/*!
+  Whether two fits are one pose: to within what is known of it; or, as the likelihood has one maximum on each side of the
+  line of sight, because both lean to the same side, and the worse has not come to its end.
+*/
 bool isSamePose(const FittedPose &p, const FittedPose &q);
 
 /*! Keeps the best pose and the best of those that are not the same as it. */
