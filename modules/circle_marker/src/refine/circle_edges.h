@@ -38,15 +38,20 @@ constexpr float mostFading = 2.f;
 // A block that is farther from an edge than this many standard deviations of the blur, to first order, does not see it.
 // Beyond lie 3e-7 of the contrast.
 constexpr float farFromEdge = 5.f;
+// Edges that bend by less than this within the blur, in units of it, do so at any pose: it is a hundredth of what their
+// distance changes with the tilt.
+constexpr float steadyBend = 0.02f;
 
 // What the curvature of circles about the centre needs of a block's pixels.
 struct CurvatureLanes
 {
-  Lanes perGradient;  // 1 / length of the radius' gradient in the image, pixels
-  Lanes alongNormal;  // second derivative of the radius along the gradient, by the gradient, 1 / pixel
-  Lanes alongTangent; // and along the circle
-  Lanes fading;       // share by which the circles' curvature falls on the way out, 1 / pixel
-  Lanes stretched[2]; // stretch of the blur across the circles by each part of an elongation
+  Lanes perGradient;        // 1 / length of the radius' gradient in the image, pixels
+  Lanes alongNormal;        // second derivative of the radius along the gradient, by the gradient, 1 / pixel
+  Lanes alongTangent;       // and along the circle
+  Lanes fading;             // share by which the circles' curvature falls on the way out, 1 / pixel
+  Lanes stretched[2];       // stretch of the blur across the circles by each part of an elongation
+  Lanes tangentU, tangentV; // derivative by the pixel of the place along the circle
+  Lanes tangentAlong;       // its part along the radius' gradient
 };
 
 // Stretch of the blur across an edge by each part of an elongation: cosine and sine of twice the direction of its
@@ -67,6 +72,9 @@ inline void curvatureOf(const PlaneLanes &p, CurvatureLanes &curvature)
   const Lanes hv = p.qyByV * p.outX - p.qxByV * p.outY;
   const Lanes normal = (hu * p.gradientU + hv * p.gradientV) * curvature.perGradient;
   const Lanes tangent = (hv * p.gradientU - hu * p.gradientV) * curvature.perGradient;
+  curvature.tangentU = hu;
+  curvature.tangentV = hv;
+  curvature.tangentAlong = normal;
   curvature.alongNormal = normal * normal * perRadius * curvature.perGradient;
   curvature.alongTangent = tangent * tangent * perRadius * curvature.perGradient;
   curvature.fading = p.gradient * perRadius + 3.f * curvature.alongNormal;
@@ -80,14 +88,13 @@ inline void seeNothing(const Lanes &distance, EdgeLanes &edge)
   edge.normal.cumulative = (1e30f * distance).max(0.f).min(1.f);
   edge.normal.density.setZero();
   edge.bend.setZero();
-  edge.byRadius.setZero();
-  edge.bySigma.setZero();
-  edge.byStretch.setZero();
+  edge.isSeen = false;
 }
 
 // Circle of a radius, black inside (blackSide 1) or outside (-1).
-inline void seeCircle(const PlaneLanes &p, const CurvatureLanes &curvature, float radius, float blackSide, float sigma,
-                      const Lanes &growth, EdgeLanes &edge)
+template <bool hasSlopes>
+void seeCircle(const PlaneLanes &p, const CurvatureLanes &curvature, float radius, float blackSide, float sigma,
+               const Lanes &growth, EdgeLanes &edge)
 {
   const float perSigma = 1.f / sigma;
   const Lanes first = (radius - p.radius) * curvature.perGradient;
@@ -97,39 +104,42 @@ inline void seeCircle(const PlaneLanes &p, const CurvatureLanes &curvature, floa
   }
   // Second-order distance along the gradient to the level set of the radius.
   const Lanes bow = curvature.alongNormal * first;
-  const Lanes stretch = (1.f - 0.5f * bow).max(leastStretch).min(mostStretch);
-  const Lanes scaled = perSigma * first * stretch;
+  const Lanes distance = first * (1.f - 0.5f * bow).max(leastStretch).min(mostStretch);
+  const Lanes scaled = perSigma * distance;
   // Curvature where the edge is, in units of the blur: half of it is the mean, and its square half of the variance, of
   // what the edge bends away within the blur.
-  const Lanes atEdge =
-      curvature.alongTangent * (1.f - curvature.fading * first * stretch).max(leastFading).min(mostFading);
+  const Lanes atEdge = curvature.alongTangent * (1.f - curvature.fading * distance).max(leastFading).min(mostFading);
   const Lanes bend = (0.5f * sigma) * atEdge.min(mostCurvature * perSigma);
   const Lanes squared = bend * bend;
   edge.bend = blackSide * bend;
   // The density stays what it is from 6.5 on, and the corners' polynomials must not grow on.
   edge.standardised = (blackSide * (scaled - bend) * (1.f - squared) + growth * perSigma).max(-6.5f).min(6.5f);
   edge.normal = normalOf(edge.standardised);
-  edge.byRadius =
-      (-blackSide * perSigma) * curvature.perGradient * (1.f - bow - squared).max(leastStretch).min(mostStretch);
-  edge.bySigma = -perSigma * (blackSide * (scaled * (1.f + squared) + bend) + growth * perSigma);
-  // Distances across shrink, and the curvature with them and with the square of what is longer along the edge.
-  edge.byStretch = -blackSide * (scaled * (1.f + squared) - 3.f * bend);
-}
-
-// Black between two circles.
-inline void seeBand(const PlaneLanes &p, const EdgeLanes &outer, const EdgeLanes &inner, float perSigma,
-                    const CurvatureLanes &curvature, SumLanes &band)
-{
-  band.value = outer.normal.cumulative + inner.normal.cumulative - 1.f;
-  const Lanes byRadius = outer.normal.density * outer.byRadius + inner.normal.density * inner.byRadius;
-  band.byX = byRadius * p.outX;
-  band.byY = byRadius * p.outY;
-  band.bySigma = outer.normal.density * outer.bySigma + inner.normal.density * inner.bySigma;
-  band.byGrowth = perSigma * (outer.normal.density + inner.normal.density);
-  band.bySpread = curvature.perGradient * band.byGrowth;
-  const Lanes byStretch = outer.normal.density * outer.byStretch + inner.normal.density * inner.byStretch;
-  band.byElongation[0] = byStretch * curvature.stretched[0];
-  band.byElongation[1] = byStretch * curvature.stretched[1];
+  edge.isSeen = true;
+  if constexpr (hasSlopes) {
+    SlopeLanes &slope = edge.slope;
+    const Lanes way = distance * curvature.perGradient;
+    slope.footX = p.qx + way * (p.gradientU * p.qxByU + p.gradientV * p.qxByV);
+    slope.footY = p.qy + way * (p.gradientU * p.qyByU + p.gradientV * p.qyByV);
+    // The gradient of the radius there; its length is the same for a normal of any length.
+    const Lanes gu = p.qxByU * slope.footX + p.qyByU * slope.footY;
+    const Lanes gv = p.qxByV * slope.footX + p.qyByV * slope.footY;
+    const Lanes perLength = (gu * gu + gv * gv).max(1e-12f).rsqrt();
+    slope.gradientU = gu * perLength;
+    slope.gradientV = gv * perLength;
+    slope.perGradient = radius * perLength;
+    const Lanes byNormal = (-blackSide * perSigma) * (1.f - squared) * perLength;
+    slope.byX = byNormal * slope.footX;
+    slope.byY = byNormal * slope.footY;
+    slope.bySigma = -perSigma * (blackSide * (scaled * (1.f + squared) + bend) + growth * perSigma);
+    // Distances across shrink, and the curvature with them and with the square of what is longer along the edge.
+    const Lanes byStretch = -blackSide * (scaled * (1.f + squared) - 3.f * bend);
+    for (std::size_t k = 0; k < 2; ++k) {
+      slope.byElongation[k] = byStretch * curvature.stretched[k];
+    }
+    slope.byGrowth = Lanes::Constant(perSigma);
+    slope.bySpread = perSigma * curvature.perGradient;
+  }
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

@@ -45,16 +45,19 @@ struct CornerLanes
   Lanes value;
   Lanes byA;
   Lanes byB;
+  Lanes byRho;
 };
 
 // By the tetrachoric series, whose n-th term is rho^(n+1) / (n+1)! He_n(a) He_n(b) with the Hermite polynomials He_n,
-// all times both densities; the derivative of a density times He_n is that of - He_(n+1).
+// all times both densities; the derivative of a density times He_n is that of - He_(n+1), and by rho it is Mehler's
+// series of the two variables' common density.
 inline CornerLanes cornerOf(const Lanes &a, const Lanes &b, const Lanes &density, const Lanes &rho, int terms)
 {
   Lanes power = rho;
+  Lanes byPower = Lanes::Ones(); // rho^n / n!
   Lanes hermiteA = Lanes::Ones(), previousA = Lanes::Zero();
   Lanes hermiteB = Lanes::Ones(), previousB = Lanes::Zero();
-  CornerLanes corner = {Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
+  CornerLanes corner = {Lanes::Zero(), Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
   for (int n = 0; n < terms; ++n) {
     const auto order = static_cast<float>(n);
     const Lanes nextA = a * hermiteA - order * previousA;
@@ -62,6 +65,8 @@ inline CornerLanes cornerOf(const Lanes &a, const Lanes &b, const Lanes &density
     corner.value += power * hermiteA * hermiteB;
     corner.byA -= power * nextA * hermiteB;
     corner.byB -= power * hermiteA * nextB;
+    corner.byRho += byPower * hermiteA * hermiteB;
+    byPower = power;
     power *= rho / (order + 2.f);
     previousA = hermiteA;
     previousB = hermiteB;
@@ -71,6 +76,7 @@ inline CornerLanes cornerOf(const Lanes &a, const Lanes &b, const Lanes &density
   corner.value *= density;
   corner.byA *= density;
   corner.byB *= density;
+  corner.byRho *= density;
   return corner;
 }
 
@@ -87,6 +93,7 @@ inline void addBend(const Lanes &a, const Lanes &b, const Lanes &bend, const Lan
   corner.value += factor * h;
   corner.byA += byH;
   corner.byB -= byH * rho + factor * h * b;
+  corner.byRho += byH * (h * rho * perSine - b);
 }
 
 inline int cornerTermsFor(double rho)

@@ -30,27 +30,43 @@ namespace {
 // Inner radius of a ring without one, in units of the outer: so far away that no pixel sees it.
 constexpr float noEdge = -100.f;
 
-// Puts the share of black, and the derivatives that were asked for.
-void put(const SumLanes &total, const PlaneLanes &, float, float, float, Lanes &value)
+// Starts a sum over edges with a share of black.
+void start(Lanes &value)
 {
-  value = total.value;
+  value.setZero();
 }
 
-void put(const SumLanes &total, const PlaneLanes &p, float cx, float cy, float perDepth, DarknessLanes &darkness)
+void start(DarknessLanes &darkness)
 {
-  const Lanes bySlope = (total.byX * (p.qx - cx) + total.byY * (p.qy - cy)) * perDepth;
-  darkness.value = total.value;
-  darkness.byTwist[0] = -total.byX;
-  darkness.byTwist[1] = -total.byY;
-  darkness.byTwist[2] = bySlope;
-  darkness.byTwist[3] = bySlope * p.qy;
-  darkness.byTwist[4] = -bySlope * p.qx;
-  darkness.byTwist[5] = total.byX * p.qy - total.byY * p.qx;
-  darkness.bySigma = total.bySigma;
-  darkness.byElongation[0] = total.byElongation[0];
-  darkness.byElongation[1] = total.byElongation[1];
-  darkness.byGrowth = total.byGrowth;
-  darkness.bySpread = total.bySpread;
+  darkness.value.setZero();
+  for (Lanes &lanes : darkness.byTwist) {
+    lanes.setZero();
+  }
+  darkness.bySigma.setZero();
+  darkness.byElongation[0].setZero();
+  darkness.byElongation[1].setZero();
+  darkness.byGrowth.setZero();
+  darkness.bySpread.setZero();
+}
+
+// What the blur and the growth of black change by the distance of an edge, times how much the share of black changes
+// with it.
+void addBlur(const SlopeLanes &slope, const Lanes &weight, DarknessLanes &darkness)
+{
+  darkness.bySigma += weight * slope.bySigma;
+  darkness.byElongation[0] += weight * slope.byElongation[0];
+  darkness.byElongation[1] += weight * slope.byElongation[1];
+  darkness.byGrowth += weight * slope.byGrowth;
+  darkness.bySpread += weight * slope.bySpread;
+}
+
+Lanes &valueOf(Lanes &value)
+{
+  return value;
+}
+Lanes &valueOf(DarknessLanes &darkness)
+{
+  return darkness.value;
 }
 } // namespace
 
@@ -79,70 +95,148 @@ ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, c
   m_cornerTerms = cornerTermsFor((1. - squared) / (1. + squared));
 }
 
-// One border between sectors, and its corners with the track's rims.
-template <bool hasSlopes>
-void ImageModel::seeBorder(const PlaneLanes &p, const TrackLanes &track, const Lanes &acrossX, const Lanes &acrossY,
-                           const Lanes &change, SumLanes &code, SumLanes &corners) const
+// What the motion of the print under a ray at the foot of an edge changes.
+void ImageModel::addMotion(const SlopeLanes &slope, const Lanes &byX, const Lanes &byY, DarknessLanes &darkness) const
 {
-  const EdgeLanes &outer = track.outer;
-  const EdgeLanes &inner = track.inner;
+  const Lanes byAngle = (byX * (slope.footX - m_cx) + byY * (slope.footY - m_cy)) * m_perDepth;
+  darkness.byTwist[0] -= byX;
+  darkness.byTwist[1] -= byY;
+  darkness.byTwist[2] += byAngle;
+  darkness.byTwist[3] += byAngle * slope.footY;
+  darkness.byTwist[4] -= byAngle * slope.footX;
+  darkness.byTwist[5] += byX * slope.footY - byY * slope.footX;
+}
+
+// What the motion of the print at the foot of an edge changes by its gradient: m^T (grad q') x, with m the derivative
+// (byX, byY) and x the vector (x, y) of the plane.
+void ImageModel::addStrain(const SlopeLanes &slope, const Lanes &byX, const Lanes &byY, const Lanes &x, const Lanes &y,
+                           DarknessLanes &darkness) const
+{
+  const Lanes byScale = (byX * x + byY * y) * m_perDepth;
+  const Lanes byAngle = (byX * (slope.footX - m_cx) + byY * (slope.footY - m_cy)) * m_perDepth;
+  darkness.byTwist[2] += byScale;
+  darkness.byTwist[3] += byAngle * y + byScale * slope.footY;
+  darkness.byTwist[4] -= byAngle * x + byScale * slope.footX;
+  darkness.byTwist[5] += byX * y - byY * x;
+}
+
+// A circle, with how much the share of black changes with its distance: by its motion, and by how its bend changes. The
+// curvature is det(J)^2 / (radius g^3), with J the derivative of q by the pixel and g the radius' gradient at the foot.
+void ImageModel::addEdge(const PlaneLanes &p, const EdgeLanes &edge, const Lanes &weight, DarknessLanes &darkness) const
+{
+  const SlopeLanes &slope = edge.slope;
+  addMotion(slope, weight * slope.byX, weight * slope.byY, darkness);
+  addBlur(slope, weight, darkness);
+  if (edge.bend.abs().maxCoeff() < steadyBend) {
+    return;
+  }
+  const Lanes byBend = -weight * edge.bend; // by the logarithm of the curvature
+  const Lanes one = Lanes::Ones();
+  const Lanes none = Lanes::Zero();
+  addStrain(slope, 2.f * byBend, none, one, none, darkness);
+  addStrain(slope, none, 2.f * byBend, none, one, darkness);
+  const Lanes perRadius = (slope.footX * slope.footX + slope.footY * slope.footY).rsqrt();
+  const Lanes outX = slope.footX * perRadius;
+  const Lanes outY = slope.footY * perRadius;
+  const Lanes x = (p.qxByU * slope.gradientU + p.qxByV * slope.gradientV) * slope.perGradient;
+  const Lanes y = (p.qyByU * slope.gradientU + p.qyByV * slope.gradientV) * slope.perGradient;
+  const Lanes byGradient = -3.f * byBend;
+  addStrain(slope, byGradient * outX, byGradient * outY, x, y, darkness);
+  // The foot moves along the circle, to where the gradient is another.
+  const Lanes byTangent = byGradient * (outX * y - outY * x) * perRadius;
+  addMotion(slope, -byTangent * outY, byTangent * outX, darkness);
+}
+
+// The cosine of the angle in the image between a border and the circles, with how much the share of black changes with
+// it: the circles' direction turns as a ray moves along them, and both turn with the derivative of q by the pixel.
+void ImageModel::addAngle(const PlaneLanes &p, const CurvatureLanes &curvature, const SlopeLanes &slope,
+                          const Lanes &acrossX, const Lanes &acrossY, const Lanes &weight,
+                          DarknessLanes &darkness) const
+{
+  const Lanes gu = p.qxByU * acrossX + p.qyByU * acrossY;
+  const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
+  const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
+  const Lanes borderU = gu * perGradient;
+  const Lanes borderV = gv * perGradient;
+  const Lanes circleU = p.gradientU * curvature.perGradient;
+  const Lanes circleV = p.gradientV * curvature.perGradient;
+  const Lanes cosine = borderU * circleU + borderV * circleV;
+  const Lanes byBorderU = (circleU - cosine * borderU) * perGradient;
+  const Lanes byBorderV = (circleV - cosine * borderV) * perGradient;
+  const Lanes byCircleU = (borderU - cosine * circleU) * curvature.perGradient;
+  const Lanes byCircleV = (borderV - cosine * circleV) * curvature.perGradient;
+  const Lanes byTangent = weight * (byCircleU * curvature.tangentU + byCircleV * curvature.tangentV) / p.radius;
+  addMotion(slope, -byTangent * p.outY, byTangent * p.outX, darkness);
+  addStrain(slope, weight * acrossX, weight * acrossY, p.qxByU * byBorderU + p.qxByV * byBorderV,
+            p.qyByU * byBorderU + p.qyByV * byBorderV, darkness);
+  addStrain(slope, weight * p.outX, weight * p.outY, p.qxByU * byCircleU + p.qxByV * byCircleV,
+            p.qyByU * byCircleU + p.qyByV * byCircleV, darkness);
+}
+
+// One border between sectors, and its corners with the track's rims. band: share of black between the rims.
+template <class Result>
+void ImageModel::seeBorder(const PlaneLanes &p, const CurvatureLanes &curvature, const Lanes &band,
+                           const Lanes &acrossX, const Lanes &acrossY, const Lanes &change, TrackLanes &track,
+                           Lanes &code, Lanes &corners, Result &result) const
+{
+  constexpr bool hasSlopes = std::is_same<Result, DarknessLanes>::value;
   const float perSigma = 1.f / m_sigma;
   const Lanes gu = p.qxByU * acrossX + p.qyByU * acrossY;
   const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
   const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
-  const Lanes distance = perSigma * (acrossX * p.qx + acrossY * p.qy) * perGradient;
+  const Lanes first = (acrossX * p.qx + acrossY * p.qy) * perGradient;
+  const Lanes distance = perSigma * first;
   const Lanes isEdge = change * change;
   if ((distance.abs() + farFromEdge * (1.f - isEdge)).minCoeff() >= farFromEdge) {
-    code.value += change * (1e30f * distance).max(0.f).min(1.f);
+    code += change * (1e30f * distance).max(0.f).min(1.f);
     return;
   }
   const Lanes standardised = distance + perSigma * change * (m_growth + m_spread * perGradient);
   const NormalLanes normal = normalOf(standardised);
-  code.value += change * normal.cumulative;
-  Lanes stretched[2];
-  if constexpr (hasSlopes) {
-    const Lanes slope = perSigma * change * normal.density;
-    code.byX += slope * perGradient * acrossX;
-    code.byY += slope * perGradient * acrossY;
-    code.bySigma -= slope * standardised;
-    const Lanes byGrowth = slope * change;
-    code.byGrowth += byGrowth;
-    code.bySpread += byGrowth * perGradient;
-    stretchOf(gu, gv, perGradient, stretched);
-    for (std::size_t k = 0; k < 2; ++k) {
-      code.byElongation[k] -= change * normal.density * distance * stretched[k];
-    }
-  }
+  code += change * normal.cumulative;
+  Lanes byDistance = change * normal.density * band; // of the share of black
+  Lanes byCosine = Lanes::Zero();                    // of the angle between border and rims
   const Lanes density = isEdge * normal.density;
-  if ((density * (outer.normal.density + inner.normal.density)).maxCoeff() < leastCorner) {
-    return;
+  const bool hasCorners =
+      (density * (track.outer.normal.density + track.inner.normal.density)).maxCoeff() >= leastCorner;
+  if (hasCorners) {
+    // Where the border meets a rim, both on their black sides.
+    const Lanes a = change * standardised.max(-6.5f).min(6.5f);
+    const Lanes rho = (gu * p.gradientU + gv * p.gradientV) * perGradient * change / p.gradient;
+    const auto meet = [&](const EdgeLanes &rim, float side, Lanes &byRim) {
+      const Lanes correlation = side * rho;
+      CornerLanes corner = cornerOf(a, rim.standardised, density * rim.normal.density, correlation, m_cornerTerms);
+      if (rim.bend.abs().maxCoeff() > leastBend) {
+        addBend(a, rim.standardised, rim.bend, isEdge, rim.normal.density, correlation, corner);
+      }
+      corners += corner.value;
+      byDistance += change * corner.byA;
+      byRim += corner.byB;
+      byCosine += side * corner.byRho;
+    };
+    meet(track.outer, -1.f, track.outerCorners);
+    meet(track.inner, 1.f, track.innerCorners);
   }
-  // Where the border meets a rim, both on their black sides.
-  const Lanes a = change * standardised.max(-6.5f).min(6.5f);
-  const Lanes aByAcross = perSigma * change * perGradient;
-  const Lanes rho = (gu * p.gradientU + gv * p.gradientV) * perGradient * change / p.gradient;
-  const auto meet = [&](const EdgeLanes &rim, const Lanes &correlation) {
-    CornerLanes corner = cornerOf(a, rim.standardised, density * rim.normal.density, correlation, m_cornerTerms);
-    if (rim.bend.abs().maxCoeff() > leastBend) {
-      addBend(a, rim.standardised, rim.bend, isEdge, rim.normal.density, correlation, corner);
+  if constexpr (hasSlopes) {
+    SlopeLanes slope;
+    const Lanes way = first * perGradient;
+    slope.footX = p.qx - way * (gu * p.qxByU + gv * p.qxByV);
+    slope.footY = p.qy - way * (gu * p.qyByU + gv * p.qyByV);
+    slope.byX = perSigma * perGradient * acrossX;
+    slope.byY = perSigma * perGradient * acrossY;
+    slope.bySigma = -perSigma * standardised;
+    stretchOf(gu, gv, perGradient, slope.byElongation);
+    for (Lanes &byElongation : slope.byElongation) {
+      byElongation *= -distance;
     }
-    corners.value += corner.value;
-    if constexpr (!hasSlopes) {
-      return;
+    slope.byGrowth = perSigma * change;
+    slope.bySpread = slope.byGrowth * perGradient;
+    addMotion(slope, byDistance * slope.byX, byDistance * slope.byY, result);
+    addBlur(slope, byDistance, result);
+    if (hasCorners) {
+      addAngle(p, curvature, slope, acrossX, acrossY, change * byCosine, result);
     }
-    const Lanes byRadius = corner.byB * rim.byRadius;
-    corners.byX += corner.byA * aByAcross * acrossX + byRadius * p.outX;
-    corners.byY += corner.byA * aByAcross * acrossY + byRadius * p.outY;
-    corners.bySigma += corner.byB * rim.bySigma - perSigma * corner.byA * a;
-    corners.byGrowth += perSigma * (corner.byA + corner.byB);
-    corners.bySpread += perSigma * (corner.byA * perGradient + corner.byB / p.gradient);
-    for (std::size_t k = 0; k < 2; ++k) {
-      corners.byElongation[k] +=
-          corner.byB * rim.byStretch * track.stretched[k] - corner.byA * change * distance * stretched[k];
-    }
-  };
-  meet(outer, -rho);
-  meet(inner, rho);
+  }
 }
 
 template <PixelSight sight, int borders, class Result>
@@ -153,32 +247,33 @@ void ImageModel::evaluateAs(const PixelBlock &block, Result &result) const
   CurvatureLanes curvature;
   m_homography.apply(block.place, p);
   curvatureOf(p, curvature);
-  SumLanes total;
+  start(result);
   const Lanes growth = m_growth + m_spread * curvature.perGradient; // pixels
+  const auto count = [&](const EdgeLanes &edge, const Lanes &weight) {
+    if constexpr (hasSlopes) {
+      if (edge.isSeen) {
+        addEdge(p, edge, weight, result);
+      }
+    }
+  };
   if (sight != PixelSight::TRACK) {
     EdgeLanes outer, inner;
-    seeCircle(p, curvature, m_ring[0], 1.f, m_sigma, growth, outer);
-    seeCircle(p, curvature, m_ring[1], -1.f, m_sigma, growth, inner);
-    seeBand(p, outer, inner, 1.f / m_sigma, curvature, total);
+    seeCircle<hasSlopes>(p, curvature, m_ring[0], 1.f, m_sigma, growth, outer);
+    seeCircle<hasSlopes>(p, curvature, m_ring[1], -1.f, m_sigma, growth, inner);
+    valueOf(result) = outer.normal.cumulative + inner.normal.cumulative - 1.f;
+    count(outer, outer.normal.density);
+    count(inner, inner.normal.density);
   }
   if (sight != PixelSight::RING) {
     const SectorLanes &sectors = m_blocks.sectors[block.sectors];
     TrackLanes track;
-    SumLanes band, code;
-    seeCircle(p, curvature, m_track[0], 1.f, m_sigma, growth, track.outer);
-    seeCircle(p, curvature, m_track[1], -1.f, m_sigma, growth, track.inner);
-    seeBand(p, track.outer, track.inner, 1.f / m_sigma, curvature, band);
-    SumLanes corners;
-    for (std::size_t k = 0; k < 2; ++k) {
-      track.stretched[k] = curvature.stretched[k];
-    }
-    for (SumLanes *sum : {&code, &corners}) {
-      for (Lanes *lanes : {&sum->value, &sum->byX, &sum->byY, &sum->bySigma, &sum->byElongation[0],
-                           &sum->byElongation[1], &sum->byGrowth, &sum->bySpread}) {
-        lanes->setZero();
-      }
-    }
-    code.value = sectors.base;
+    seeCircle<hasSlopes>(p, curvature, m_track[0], 1.f, m_sigma, growth, track.outer);
+    seeCircle<hasSlopes>(p, curvature, m_track[1], -1.f, m_sigma, growth, track.inner);
+    track.outerCorners.setZero();
+    track.innerCorners.setZero();
+    const Lanes band = track.outer.normal.cumulative + track.inner.normal.cumulative - 1.f;
+    Lanes code = sectors.base;
+    Lanes corners = Lanes::Zero();
     // The first border is the nearest one turned back by the sectors between them.
     Lanes acrossX = sectors.acrossX;
     Lanes acrossY = sectors.acrossY;
@@ -188,41 +283,18 @@ void ImageModel::evaluateAs(const PixelBlock &block, Result &result) const
       acrossX = turned;
     }
     for (int k = 0; k < borders; ++k) {
-      seeBorder<hasSlopes>(p, track, acrossX, acrossY, sectors.change[k + (mostBorders - borders) / 2], code, corners);
+      seeBorder(p, curvature, band, acrossX, acrossY, sectors.change[k + (mostBorders - borders) / 2], track, code,
+                corners, result);
       if (k + 1 < borders) {
         const Lanes turned = m_cosSector * acrossX - m_sinSector * acrossY;
         acrossY = m_cosSector * acrossY + m_sinSector * acrossX;
         acrossX = turned;
       }
     }
-    SumLanes seen;
-    seen.value = band.value * code.value + corners.value;
-    const auto derivative = [&](const Lanes &byBand, const Lanes &byCode, const Lanes &byCorners) -> Lanes {
-      return band.value * byCode + code.value * byBand + byCorners;
-    };
-    seen.byX = derivative(band.byX, code.byX, corners.byX);
-    seen.byY = derivative(band.byY, code.byY, corners.byY);
-    seen.bySigma = derivative(band.bySigma, code.bySigma, corners.bySigma);
-    seen.byGrowth = derivative(band.byGrowth, code.byGrowth, corners.byGrowth);
-    seen.bySpread = derivative(band.bySpread, code.bySpread, corners.bySpread);
-    for (std::size_t k = 0; k < 2; ++k) {
-      seen.byElongation[k] = derivative(band.byElongation[k], code.byElongation[k], corners.byElongation[k]);
-    }
-    if (sight == PixelSight::TRACK) {
-      total = seen;
-    }
-    else {
-      total.value += seen.value;
-      total.byX += seen.byX;
-      total.byY += seen.byY;
-      total.bySigma += seen.bySigma;
-      total.byGrowth += seen.byGrowth;
-      total.bySpread += seen.bySpread;
-      total.byElongation[0] += seen.byElongation[0];
-      total.byElongation[1] += seen.byElongation[1];
-    }
+    valueOf(result) += band * code + corners;
+    count(track.outer, track.outer.normal.density * code + track.outerCorners);
+    count(track.inner, track.inner.normal.density * code + track.innerCorners);
   }
-  put(total, p, m_cx, m_cy, m_perDepth, result);
 }
 
 void ImageModel::evaluate(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const

@@ -35,6 +35,8 @@
   length: \f$ T \exp(\upsilon, \omega) \f$. The ray through a fixed pixel then meets the plane elsewhere: with the
   camera's centre c (in that frame, \f$ c_z < 0 \f$) and the ray's slope \f$ s = (q - c_{xy}) / |c_z| \f$,
   \f[ \dot q = (\upsilon_z + \omega_x q_y - \omega_y q_x) \, s - \upsilon_{xy} + \omega_z (q_y, -q_x)^T. \f]
+  An edge's distance from a pixel changes as the edge moves across the pixel's ray where the edge is, at the foot f of
+  the perpendicular in the image: \f$ \dot d = n^T \dot q(f) / |\nabla d| \f$, n its normal on the plane.
 */
 
 #ifndef VP_CIRCLE_MARKER_IMAGE_MODEL_H
@@ -45,33 +47,37 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
-/*! An edge between black and white, as the pixels of a block see it. */
+/*!
+  Derivatives of an edge's distance in standard deviations of the blur. That by the pose is taken where the edge is, not
+  where the pixel is: as the print turns, both move differently.
+*/
+struct SlopeLanes
+{
+  Lanes footX, footY; //!< Point of the edge that is nearest in the image, on the plane.
+  Lanes byX, byY;     //!< By the motion of the pixels' ray on the plane there.
+  Lanes bySigma;      //!< 1 / pixel.
+  Lanes byElongation[2];
+  Lanes byGrowth;             //!< 1 / pixel.
+  Lanes bySpread;             //!< 1 / radius.
+  Lanes gradientU, gradientV; //!< Of a circle: unit vector in the image from its centre outward there.
+  Lanes perGradient;          //!< And 1 / length of the radius' gradient, pixels.
+};
+
+/*! A circular edge between black and white, as the pixels of a block see it. */
 struct EdgeLanes
 {
   Lanes standardised; //!< Distance in standard deviations of the blur, positive on the black side.
   NormalLanes normal; //!< Share of the black side, and its derivative by that distance.
   Lanes bend;         //!< What the edge bends away within the blur, in units of it; positive around black.
-  Lanes byRadius;     //!< Derivative of the distance by the radius, in the plane.
-  Lanes bySigma;      //!< By the blur, 1 / pixel.
-  Lanes byStretch;    //!< By the logarithm of the blur's stretch across the edge, when it shrinks along it as much.
+  bool isSeen;        //!< Whether any of the pixels sees it: else there are no slopes.
+  SlopeLanes slope;   //!< Derivatives of the distance, where they are asked for.
 };
 
-/*! The code track's rims. */
+/*! The code track's rims, and how much the share of black changes with their distances by the corners at them. */
 struct TrackLanes
 {
   EdgeLanes outer, inner;
-  Lanes stretched[2]; //!< Stretch of the blur across them by each part of an elongation.
-};
-
-/*! What several edges make together. */
-struct SumLanes
-{
-  Lanes value;
-  Lanes byX, byY; //!< By the place in the plane
-  Lanes bySigma;
-  Lanes byElongation[2];
-  Lanes byGrowth;
-  Lanes bySpread;
+  Lanes outerCorners, innerCorners;
 };
 
 /*! Share of black that each pixel of a block sees, and its derivatives. */
@@ -84,6 +90,8 @@ struct DarknessLanes
   Lanes byGrowth;        //!< 1 / pixel.
   Lanes bySpread;        //!< 1 / radius.
 };
+
+struct CurvatureLanes;
 
 /*! The model at a pose. */
 class ImageModel
@@ -102,9 +110,16 @@ private:
   //! Result: DarknessLanes, or Lanes for the value alone.
   template <class Result> void evaluateParabolas(const PixelBlock &block, PixelSight sight, Result &result) const;
   template <PixelSight sight, int borders, class Result> void evaluateAs(const PixelBlock &block, Result &result) const;
-  template <bool hasSlopes>
-  void seeBorder(const PlaneLanes &p, const TrackLanes &track, const Lanes &acrossX, const Lanes &acrossY,
-                 const Lanes &change, SumLanes &code, SumLanes &corners) const;
+  template <class Result>
+  void seeBorder(const PlaneLanes &p, const CurvatureLanes &curvature, const Lanes &band, const Lanes &acrossX,
+                 const Lanes &acrossY, const Lanes &change, TrackLanes &track, Lanes &code, Lanes &corners,
+                 Result &result) const;
+  void addMotion(const SlopeLanes &slope, const Lanes &byX, const Lanes &byY, DarknessLanes &darkness) const;
+  void addStrain(const SlopeLanes &slope, const Lanes &byX, const Lanes &byY, const Lanes &x, const Lanes &y,
+                 DarknessLanes &darkness) const;
+  void addEdge(const PlaneLanes &p, const EdgeLanes &edge, const Lanes &weight, DarknessLanes &darkness) const;
+  void addAngle(const PlaneLanes &p, const CurvatureLanes &curvature, const SlopeLanes &slope, const Lanes &acrossX,
+                const Lanes &acrossY, const Lanes &weight, DarknessLanes &darkness) const;
 
   const PixelBlocks &m_blocks;
   PlaneHomography m_homography;
