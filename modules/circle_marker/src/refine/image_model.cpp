@@ -171,6 +171,13 @@ void ImageModel::addAngle(const PlaneLanes &p, const CurvatureLanes &curvature, 
             p.qyByU * byBorderU + p.qyByV * byBorderV, darkness);
   addStrain(slope, weight * p.outX, weight * p.outY, p.qxByU * byCircleU + p.qxByV * byCircleV,
             p.qyByU * byCircleU + p.qyByV * byCircleV, darkness);
+  // A longer blur draws both directions to the axis across it: E g, with the matrix E of the elongation's part.
+  const Lanes border[2] = {borderU * borderU - borderV * borderV, 2.f * borderU * borderV};
+  const Lanes circle[2] = {circleU * circleU - circleV * circleV, 2.f * circleU * circleV};
+  const Lanes both[2] = {borderU * circleU - borderV * circleV, borderU * circleV + borderV * circleU};
+  for (std::size_t k = 0; k < 2; ++k) {
+    darkness.byElongation[k] += weight * (2.f * both[k] - cosine * (border[k] + circle[k]));
+  }
 }
 
 // One border between sectors, and its corners with the track's rims. band: share of black between the rims.

@@ -32,6 +32,9 @@ namespace {
 // An edge is seen up to this many standard deviations of the blur: beyond lie 5e-5 of the contrast, a tenth of what
 // rounding to grey levels leaves.
 constexpr double reachOfEdges = 3.9;
+// Where the paper ends is not known better than this, pixels: it moves with the pose that is sought, but is held where
+// the pose was when the pixels were sorted.
+constexpr double paperEndError = 0.2;
 
 // Borders that a pixel of the track may see, but no more than mostSeen: those whose distance at the inner rim, along
 // the image's shorter axis, is within its sight.
@@ -56,13 +59,14 @@ void putSurround(const FitPixel &pixel, const PlanePoint &point, const PaperEnds
   const double light = photometry.light + photometry.lightGradient.dot(pixel.offset.cast<double>());
   double variance = 0.;
   double most = 0.;
+  double byEnd = 0.; // change of the grey level by where the paper ends
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     const BeyondPaper &beyond = pixel.beyond[shape];
     if (beyond.share <= 0.f) {
       continue;
     }
     // The pose is better known than when the pixel was chosen.
-    const double share = shareBeyond(point, papers[shape], photometry.blur.sigma);
+    const auto [share, byDistance] = shareBeyond(point, papers[shape], photometry.blur.sigma);
     double doubt = 0.25 * light * light; // where nothing is seen of it, anything is possible
     if (std::isfinite(beyond.spread)) {
       const auto grey = static_cast<double>(beyond.grey);
@@ -70,6 +74,7 @@ void putSurround(const FitPixel &pixel, const PlanePoint &point, const PaperEnds
       surround.share[shape][lane] = static_cast<float>(share);
       surround.beyond[shape][lane] = beyond.grey;
       most = std::max(most, share * std::abs(grey - light));
+      byEnd += byDistance * photometry.surround[shape] * (grey - light);
       // Noise alone spreads the few looks: by as much, and half as much again by chance.
       doubt = std::max(spread * spread - 2. * noise * noise, 0.);
       doubt *= photometry.surround[shape] * photometry.surround[shape];
@@ -77,7 +82,8 @@ void putSurround(const FitPixel &pixel, const PlanePoint &point, const PaperEnds
     variance = std::max(variance, share * share * doubt);
   }
   surround.spread[lane] = static_cast<float>(most);
-  block.variance[lane] = static_cast<float>(variance + photometry.unevenShare * photometry.unevenShare * most * most);
+  block.variance[lane] = static_cast<float>(variance + photometry.unevenShare * photometry.unevenShare * most * most +
+                                            std::pow(paperEndError * byEnd, 2.));
 }
 
 // The same for the first \e count pixels of a block, by their numbers; point: where all are on the marker.

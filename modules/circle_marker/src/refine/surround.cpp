@@ -75,7 +75,7 @@ public:
     paper.angle = angle;
     double sum = 0., squares = 0., product = 0.;
     for (std::size_t i = 0; i < m_count; ++i) {
-      const double share = shareBeyond(m_samples[i].point, paper, blur);
+      const double share = shareBeyond(m_samples[i].point, paper, blur).share;
       sum += share;
       squares += share * share;
       product += m_sign * share * (m_mean - m_samples[i].grey);
@@ -133,24 +133,26 @@ Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, 
   return surround;
 }
 
-double shareBeyond(const PlanePoint &point, const PaperEnd &paper, double blur)
+ShareBeyond shareBeyond(const PlanePoint &point, const PaperEnd &paper, double blur)
 {
   const NormalDistribution &normal = NormalDistribution::instance();
   if (paper.shape == PaperShape::ROUND) {
     const double radius = point.q.norm();
     const double gradient = (point.byPixel.transpose() * (point.q / radius)).norm();
-    return normal.at((radius - paper.extent) / (gradient * blur)).cumulative;
+    const auto beyond = normal.at((radius - paper.extent) / (gradient * blur));
+    return {beyond.cumulative, beyond.density / blur};
   }
   const Eigen::Vector2d q = paper.alongAxes(point.q);
   const Eigen::Vector2d byU = paper.alongAxes(point.byPixel.col(0));
   const Eigen::Vector2d byV = paper.alongAxes(point.byPixel.col(1));
-  double inside = 1.;
+  std::array<NormalDistribution::Value, 2> inside;
   for (int axis = 0; axis < 2; ++axis) {
     const double distance =
         (paper.extent - std::abs(q[axis])) / std::sqrt(byU[axis] * byU[axis] + byV[axis] * byV[axis]);
-    inside *= normal.at(distance / blur).cumulative;
+    inside[static_cast<std::size_t>(axis)] = normal.at(distance / blur);
   }
-  return 1. - inside;
+  return {1. - inside[0].cumulative * inside[1].cumulative,
+          (inside[0].density * inside[1].cumulative + inside[1].density * inside[0].cumulative) / blur};
 }
 
 double squareAngleOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,

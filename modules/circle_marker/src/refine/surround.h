@@ -59,13 +59,20 @@ struct Surround
 Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
                     const PaperEnd &paper, double blur);
 
+/*! What a pixel may see beyond the paper. */
+struct ShareBeyond
+{
+  double share = 0.;      //!< Of what it sees, in [0, 1].
+  double byDistance = 0.; //!< How much it changes when the paper ends a pixel earlier.
+};
+
 /*!
   Share of what a pixel sees that may lie beyond the paper.
   \param point : The pixel on the marker's plane.
   \param paper : Where the paper ends at the earliest.
   \param blur : Standard deviation of the blur, pixels.
 */
-double shareBeyond(const PlanePoint &point, const PaperEnd &paper, double blur);
+ShareBeyond shareBeyond(const PlanePoint &point, const PaperEnd &paper, double blur);
 
 /*!
   Angle of the square sheet around a marker whose frame does not tell it, up to quarter turns: the one at which a square

@@ -67,7 +67,7 @@ public:
       }
       for (std::size_t shape = 0; shape < paperShapes; ++shape) {
         const Surround &surround = m_surrounds[shape];
-        const double share = shareBeyond(point, m_papers[shape], m_blur);
+        const double share = shareBeyond(point, m_papers[shape], m_blur).share;
         if (share > mostSurround) {
           return false;
         }
