@@ -50,8 +50,8 @@ RankedFits rank(const std::vector<FitPixel> &pixels, const MarkerPattern &patter
                 const Few<FittedPose> &fits, Fitter &fitter);
 
 /*!
-  Whether two fits are one pose: to within what is known of it; or, as the likelihood has one maximum on each side of the
-  line of sight, because both lean to the same side, and the worse has not come to its end.
+  Whether two fits are one pose: to within what is known of it; or, as the likelihood has one maximum on each side of
+  the line of sight, because both lean to the same side, and the worse has not come to its end.
 */
 bool isSamePose(const FittedPose &p, const FittedPose &q);
 
