@@ -20,8 +20,8 @@
 #include <cmath>
 #include <type_traits>
 
-#include "refine/circle_edges.h"
 #include "refine/corners.h"
+#include "refine/edge_motion.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -47,17 +47,6 @@ void start(DarknessLanes &darkness)
   darkness.byElongation[1].setZero();
   darkness.byGrowth.setZero();
   darkness.bySpread.setZero();
-}
-
-// What the blur and the growth of black change by the distance of an edge, times how much the share of black changes
-// with it.
-void addBlur(const SlopeLanes &slope, const Lanes &weight, DarknessLanes &darkness)
-{
-  darkness.bySigma += weight * slope.bySigma;
-  darkness.byElongation[0] += weight * slope.byElongation[0];
-  darkness.byElongation[1] += weight * slope.byElongation[1];
-  darkness.byGrowth += weight * slope.byGrowth;
-  darkness.bySpread += weight * slope.bySpread;
 }
 
 Lanes &valueOf(Lanes &value)
@@ -93,91 +82,6 @@ ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, c
   // tilt.
   const double squared = std::pow(plane.rotation.col(2).dot(plane.center.normalized()), 2.);
   m_cornerTerms = cornerTermsFor((1. - squared) / (1. + squared));
-}
-
-// What the motion of the print under a ray at the foot of an edge changes.
-void ImageModel::addMotion(const SlopeLanes &slope, const Lanes &byX, const Lanes &byY, DarknessLanes &darkness) const
-{
-  const Lanes byAngle = (byX * (slope.footX - m_cx) + byY * (slope.footY - m_cy)) * m_perDepth;
-  darkness.byTwist[0] -= byX;
-  darkness.byTwist[1] -= byY;
-  darkness.byTwist[2] += byAngle;
-  darkness.byTwist[3] += byAngle * slope.footY;
-  darkness.byTwist[4] -= byAngle * slope.footX;
-  darkness.byTwist[5] += byX * slope.footY - byY * slope.footX;
-}
-
-// What the motion of the print at the foot of an edge changes by its gradient: m^T (grad q') x, with m the derivative
-// (byX, byY) and x the vector (x, y) of the plane.
-void ImageModel::addStrain(const SlopeLanes &slope, const Lanes &byX, const Lanes &byY, const Lanes &x, const Lanes &y,
-                           DarknessLanes &darkness) const
-{
-  const Lanes byScale = (byX * x + byY * y) * m_perDepth;
-  const Lanes byAngle = (byX * (slope.footX - m_cx) + byY * (slope.footY - m_cy)) * m_perDepth;
-  darkness.byTwist[2] += byScale;
-  darkness.byTwist[3] += byAngle * y + byScale * slope.footY;
-  darkness.byTwist[4] -= byAngle * x + byScale * slope.footX;
-  darkness.byTwist[5] += byX * y - byY * x;
-}
-
-// A circle, with how much the share of black changes with its distance: by its motion, and by how its bend changes. The
-// curvature is det(J)^2 / (radius g^3), with J the derivative of q by the pixel and g the radius' gradient at the foot.
-void ImageModel::addEdge(const PlaneLanes &p, const EdgeLanes &edge, const Lanes &weight, DarknessLanes &darkness) const
-{
-  const SlopeLanes &slope = edge.slope;
-  addMotion(slope, weight * slope.byX, weight * slope.byY, darkness);
-  addBlur(slope, weight, darkness);
-  if (edge.bend.abs().maxCoeff() < steadyBend) {
-    return;
-  }
-  const Lanes byBend = -weight * edge.bend; // by the logarithm of the curvature
-  const Lanes one = Lanes::Ones();
-  const Lanes none = Lanes::Zero();
-  addStrain(slope, 2.f * byBend, none, one, none, darkness);
-  addStrain(slope, none, 2.f * byBend, none, one, darkness);
-  const Lanes perRadius = (slope.footX * slope.footX + slope.footY * slope.footY).rsqrt();
-  const Lanes outX = slope.footX * perRadius;
-  const Lanes outY = slope.footY * perRadius;
-  const Lanes x = (p.qxByU * slope.gradientU + p.qxByV * slope.gradientV) * slope.perGradient;
-  const Lanes y = (p.qyByU * slope.gradientU + p.qyByV * slope.gradientV) * slope.perGradient;
-  const Lanes byGradient = -3.f * byBend;
-  addStrain(slope, byGradient * outX, byGradient * outY, x, y, darkness);
-  // The foot moves along the circle, to where the gradient is another.
-  const Lanes byTangent = byGradient * (outX * y - outY * x) * perRadius;
-  addMotion(slope, -byTangent * outY, byTangent * outX, darkness);
-}
-
-// The cosine of the angle in the image between a border and the circles, with how much the share of black changes with
-// it: the circles' direction turns as a ray moves along them, and both turn with the derivative of q by the pixel.
-void ImageModel::addAngle(const PlaneLanes &p, const CurvatureLanes &curvature, const SlopeLanes &slope,
-                          const Lanes &acrossX, const Lanes &acrossY, const Lanes &weight,
-                          DarknessLanes &darkness) const
-{
-  const Lanes gu = p.qxByU * acrossX + p.qyByU * acrossY;
-  const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
-  const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
-  const Lanes borderU = gu * perGradient;
-  const Lanes borderV = gv * perGradient;
-  const Lanes circleU = p.gradientU * curvature.perGradient;
-  const Lanes circleV = p.gradientV * curvature.perGradient;
-  const Lanes cosine = borderU * circleU + borderV * circleV;
-  const Lanes byBorderU = (circleU - cosine * borderU) * perGradient;
-  const Lanes byBorderV = (circleV - cosine * borderV) * perGradient;
-  const Lanes byCircleU = (borderU - cosine * circleU) * curvature.perGradient;
-  const Lanes byCircleV = (borderV - cosine * circleV) * curvature.perGradient;
-  const Lanes byTangent = weight * (byCircleU * curvature.tangentU + byCircleV * curvature.tangentV) / p.radius;
-  addMotion(slope, -byTangent * p.outY, byTangent * p.outX, darkness);
-  addStrain(slope, weight * acrossX, weight * acrossY, p.qxByU * byBorderU + p.qxByV * byBorderV,
-            p.qyByU * byBorderU + p.qyByV * byBorderV, darkness);
-  addStrain(slope, weight * p.outX, weight * p.outY, p.qxByU * byCircleU + p.qxByV * byCircleV,
-            p.qyByU * byCircleU + p.qyByV * byCircleV, darkness);
-  // A longer blur draws both directions to the axis across it: E g, with the matrix E of the elongation's part.
-  const Lanes border[2] = {borderU * borderU - borderV * borderV, 2.f * borderU * borderV};
-  const Lanes circle[2] = {circleU * circleU - circleV * circleV, 2.f * circleU * circleV};
-  const Lanes both[2] = {borderU * circleU - borderV * circleV, borderU * circleV + borderV * circleU};
-  for (std::size_t k = 0; k < 2; ++k) {
-    darkness.byElongation[k] += weight * (2.f * both[k] - cosine * (border[k] + circle[k]));
-  }
 }
 
 // One border between sectors, and its corners with the track's rims. band: share of black between the rims.
@@ -238,10 +142,10 @@ void ImageModel::seeBorder(const PlaneLanes &p, const CurvatureLanes &curvature,
     }
     slope.byGrowth = perSigma * change;
     slope.bySpread = slope.byGrowth * perGradient;
-    addMotion(slope, byDistance * slope.byX, byDistance * slope.byY, result);
-    addBlur(slope, byDistance, result);
+    const EdgeMotion motion(m_cx, m_cy, m_perDepth);
+    motion.addStraight(slope, byDistance, result);
     if (hasCorners) {
-      addAngle(p, curvature, slope, acrossX, acrossY, change * byCosine, result);
+      motion.addAngle(p, curvature, slope, acrossX, acrossY, change * byCosine, result);
     }
   }
 }
@@ -259,7 +163,7 @@ void ImageModel::evaluateAs(const PixelBlock &block, Result &result) const
   const auto count = [&](const EdgeLanes &edge, const Lanes &weight) {
     if constexpr (hasSlopes) {
       if (edge.isSeen) {
-        addEdge(p, edge, weight, result);
+        EdgeMotion(m_cx, m_cy, m_perDepth).addCircle(p, edge, weight, result);
       }
     }
   };

@@ -114,12 +114,6 @@ private:
   void seeBorder(const PlaneLanes &p, const CurvatureLanes &curvature, const Lanes &band, const Lanes &acrossX,
                  const Lanes &acrossY, const Lanes &change, TrackLanes &track, Lanes &code, Lanes &corners,
                  Result &result) const;
-  void addMotion(const SlopeLanes &slope, const Lanes &byX, const Lanes &byY, DarknessLanes &darkness) const;
-  void addStrain(const SlopeLanes &slope, const Lanes &byX, const Lanes &byY, const Lanes &x, const Lanes &y,
-                 DarknessLanes &darkness) const;
-  void addEdge(const PlaneLanes &p, const EdgeLanes &edge, const Lanes &weight, DarknessLanes &darkness) const;
-  void addAngle(const PlaneLanes &p, const CurvatureLanes &curvature, const SlopeLanes &slope, const Lanes &acrossX,
-                const Lanes &acrossY, const Lanes &weight, DarknessLanes &darkness) const;
 
   const PixelBlocks &m_blocks;
   PlaneHomography m_homography;
