@@ -137,7 +137,8 @@ std::string csvOf(const std::vector<std::string> &comments, const std::vector<Re
   for (const NumberColumn &column : numberColumns) {
     out << separator << column.name;
   }
-  out << '\n' << std::setprecision(8);
+  // As many digits as that a page made from the file rounds to the same figures.
+  out << '\n' << std::setprecision(12);
   for (const Record &record : records) {
     separator.clear();
     for (const TextColumn &column : textColumns) {
