@@ -51,7 +51,6 @@ struct CurvatureLanes
   Lanes fading;             // share by which the circles' curvature falls on the way out, 1 / pixel
   Lanes stretched[2];       // stretch of the blur across the circles by each part of an elongation
   Lanes tangentU, tangentV; // derivative by the pixel of the place along the circle
-  Lanes tangentAlong;       // its part along the radius' gradient
 };
 
 // Stretch of the blur across an edge by each part of an elongation: cosine and sine of twice the direction of its
@@ -74,7 +73,6 @@ inline void curvatureOf(const PlaneLanes &p, CurvatureLanes &curvature)
   const Lanes tangent = (hv * p.gradientU - hu * p.gradientV) * curvature.perGradient;
   curvature.tangentU = hu;
   curvature.tangentV = hv;
-  curvature.tangentAlong = normal;
   curvature.alongNormal = normal * normal * perRadius * curvature.perGradient;
   curvature.alongTangent = tangent * tangent * perRadius * curvature.perGradient;
   curvature.fading = p.gradient * perRadius + 3.f * curvature.alongNormal;

@@ -53,10 +53,10 @@ inline namespace CIRCLE_MARKER_LANES {
 */
 struct SlopeLanes
 {
-  Lanes footX, footY; //!< Point of the edge that is nearest in the image, on the plane.
-  Lanes byX, byY;     //!< By the motion of the pixels' ray on the plane there.
-  Lanes bySigma;      //!< 1 / pixel.
-  Lanes byElongation[2];
+  Lanes footX, footY;         //!< Point of the edge that is nearest in the image, on the plane.
+  Lanes byX, byY;             //!< By the motion of the pixels' ray on the plane there.
+  Lanes bySigma;              //!< 1 / pixel.
+  Lanes byElongation[2];      //!< By a step of BlurParameters::elongate().
   Lanes byGrowth;             //!< 1 / pixel.
   Lanes bySpread;             //!< 1 / radius.
   Lanes gradientU, gradientV; //!< Of a circle: unit vector in the image from its centre outward there.
@@ -86,7 +86,7 @@ struct DarknessLanes
   Lanes value;
   Lanes byTwist[6];      //!< By the twist in the marker's frame: three translations in radii, three turns in rad.
   Lanes bySigma;         //!< 1 / pixel.
-  Lanes byElongation[2]; //!< By a step of BlurParameters::elongate(), without what corners' angles do.
+  Lanes byElongation[2]; //!< By a step of BlurParameters::elongate(), without what the bend at corners does.
   Lanes byGrowth;        //!< 1 / pixel.
   Lanes bySpread;        //!< 1 / radius.
 };
