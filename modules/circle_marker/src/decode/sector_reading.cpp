@@ -21,6 +21,8 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "decode/marker_light.h"
 #include "support/bilinear.h"
 
@@ -84,10 +86,14 @@ Judged<CodeTrack> sampleTrack(const vpImage<unsigned char> &I, const CameraModel
   // The light is known by the white of the quiet zone around.
   std::array<double, mostSamples> outside;
   std::array<double, mostSamples> ring;
+  std::array<Eigen::Vector2d, mostSamples> direction;
+  const double step = 0.02; // rad: a secant short enough to be a tangent
+  const Eigen::Rotation2Dd turn(step);
   for (unsigned int i = 0; i < track.samples; ++i) {
     const double angle = 2. * M_PI * (i + 0.5) / track.samples;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
+    direction[i] << c, s;
     double sum = 0.;
     for (const double radius : radii) {
       const auto grey = sampleAt(I, camera, plane, radius, c, s);
@@ -105,28 +111,23 @@ Judged<CodeTrack> sampleTrack(const vpImage<unsigned char> &I, const CameraModel
     outside[i] = *white;
     ring[i] = *black;
     // Angle for a pixel along the track at its middle radius.
-    const double step = 0.02; // rad: a secant short enough to be a tangent
-    const Eigen::Vector2d before =
-        camera.toPixel(plane.project(radii[1] * Eigen::Vector2d(std::cos(angle - step), std::sin(angle - step))));
-    const Eigen::Vector2d after =
-        camera.toPixel(plane.project(radii[1] * Eigen::Vector2d(std::cos(angle + step), std::sin(angle + step))));
+    const Eigen::Vector2d middle = radii[1] * direction[i];
+    const Eigen::Vector2d before = camera.toPixel(plane.project(turn.inverse() * middle));
+    const Eigen::Vector2d after = camera.toPixel(plane.project(turn * middle));
     track.blur[i] = trackBlur * 2. * step / (after - before).norm();
   }
   const MarkerLight light(outside.data(), track.samples, whiteRadius);
   const double white = light.mean();
   double black = 0.; // as it would be in mean light, which multiplies white and black alike
   for (unsigned int i = 0; i < track.samples; ++i) {
-    const double angle = 2. * M_PI * (i + 0.5) / track.samples;
-    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-    const double here = light.hasShadow() ? std::max(light.at(blackRadius * direction), 1.) : white;
+    const double here = light.hasShadow() ? std::max(light.at(blackRadius * direction[i]), 1.) : white;
     black += ring[i] * white / (here * track.samples);
   }
   if (white - black < leastContrast) {
     return vpCircleMarkerReject::NO_RING;
   }
   for (unsigned int i = 0; i < track.samples; ++i) {
-    const double angle = 2. * M_PI * (i + 0.5) / track.samples;
-    const Eigen::Vector2d place = radii[1] * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    const Eigen::Vector2d place = radii[1] * direction[i];
     track.grey[i] = (track.grey[i] * white / std::max(light.at(place), 1.) - black) / (white - black);
     // On the edge of a shadow the light is not known.
     if (light.hasShadow() && std::abs(light.distanceToShadow(place)) < edgeOfShadow * track.blur[i] * radii[1]) {
