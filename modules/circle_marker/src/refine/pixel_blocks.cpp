@@ -32,10 +32,6 @@ namespace {
 // An edge is seen up to this many standard deviations of the blur: beyond lie 5e-5 of the contrast, a tenth of what
 // rounding to grey levels leaves.
 constexpr double reachOfEdges = 3.9;
-// Where the paper ends is not known better than this, pixels: it moves with the pose that is sought, but is held where
-// the pose was when the pixels were sorted.
-constexpr double paperEndError = 0.2;
-
 // Borders that a pixel of the track may see, but no more than mostSeen: those whose distance at the inner rim, along
 // the image's shorter axis, is within its sight.
 int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur, double unit,
@@ -83,7 +79,7 @@ void putSurround(const FitPixel &pixel, const PlanePoint &point, const PaperEnds
   }
   surround.spread[lane] = static_cast<float>(most);
   block.variance[lane] = static_cast<float>(variance + photometry.unevenShare * photometry.unevenShare * most * most +
-                                            std::pow(paperEndError * byEnd, 2.));
+                                            std::pow(photometry.endError * byEnd, 2.));
 }
 
 // The same for the first \e count pixels of a block, by their numbers; point: where all are on the marker.

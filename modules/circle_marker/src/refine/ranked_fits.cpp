@@ -100,7 +100,8 @@ RankedFits rank(const std::vector<FitPixel> &pixels, const MarkerPattern &patter
                                      [](const FittedPose &p, const FittedPose &q) { return p.noise < q.noise; });
   ranked.noise = best->noise;
   if (fits.size() > 1) {
-    const Photometry surround = best->photometry;
+    Photometry surround = best->photometry;
+    surround.endError = 0.; // each fit has the paper end where it is: that tells them apart
     for (FittedPose &fit : fits) {
       fit.squares = fitter.robustSquares(pixels, fit, pattern, surround, ranked.noise, exactBends);
     }
