@@ -32,9 +32,10 @@ struct Sort
   double mostTilt;              //!< rad
   double leastGround;           //!< Least and most grey level of what is around their squares.
   double mostGround;
-  double floor;        //!< Share that is found at least.
-  double blur = 0.7;   //!< Pixels.
-  double paper = 220.; //!< Grey level.
+  double floor;          //!< Share that is found at least.
+  double blur = 0.7;     //!< Pixels.
+  double paper = 220.;   //!< Grey level.
+  double leastTilt = 0.; //!< rad
 };
 
 // Eight images of 24 markers each.
@@ -57,7 +58,7 @@ void expectReach(const Sort &sort)
     for (int i = 0; i < columns * rows; ++i) {
       const double u = width * (i % columns + 0.5) / columns + uniform(random, -5., 5.);
       const double v = height * (i / columns + 0.5) / rows + uniform(random, -5., 5.);
-      const double tilt = uniform(random, 0., sort.mostTilt);
+      const double tilt = uniform(random, sort.leastTilt, sort.mostTilt);
       const double minor = uniform(random, sort.leastMinor, sort.mostMinor);
       vpSimulatedMarker marker = printed(family, randomId(random, family));
       simulator.addMarker(marker.setPose(randomPose(random, minor / std::cos(tilt), tilt, u, v)));
@@ -150,6 +151,44 @@ TEST(DetectorReach, LongCodesOnDarkGround)
 TEST(DetectorReach, CodesOnBrightGround)
 {
   expectReach({vpCircleMarkerFamily::GOLAY23, 13., 20., 0.9, 225., 245., 0.93, 0.9, 140.});
+}
+
+// Where the ellipse is narrow its track is less than a pixel wide, and only the sectors at its ends are read one by
+// one.
+TEST(DetectorReach, CodesAtGrazingAngles)
+{
+  expectReach({vpCircleMarkerFamily::GOLAY23, 5.5, 8., 1.4, 220., 220., 0.95, 0.7, 220., 1.2});
+}
+
+// And the ring has no outer edge but at its ends: it is found by the shape of its sheet.
+TEST(DetectorReach, CodesAtGrazingAnglesOnDarkGround)
+{
+  expectReach({vpCircleMarkerFamily::GOLAY23, 7., 9., 1.4, 10., 160., 0.87, 0.7, 220., 1.2});
+}
+
+// However narrow, an ellipse of 200 pixels is no line.
+TEST(DetectorReach, LargeMarkersAtGrazingAngles)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  vpDetectorCircleMarker detector(family);
+  constexpr int images = 20;
+  int found = 0;
+  for (int image = 0; image < images; ++image) {
+    const int id = randomId(random, family);
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    simulator.setBackground(vpSceneBackground::plain(uniform(random, 120., 220.)));
+    simulator.addMarker(
+        printed(family, id).setPose(randomPose(random, uniform(random, 180., 220.), uniform(random, 1.49, 1.51))));
+    vpImage<unsigned char> I;
+    simulator.render(I, random());
+    std::vector<vpHomogeneousMatrix> poses;
+    found += detector.detect(I, size, straightCamera(), poses) ? 1 : 0;
+    for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
+      EXPECT_EQ(id, detection.id) << "image " << image;
+    }
+  }
+  EXPECT_EQ(found, images);
 }
 
 // Each id has a size of its own; a first reading of so small a code is often another's.

@@ -36,8 +36,13 @@ constexpr double leastCorrelationAtStart = 0.7;
 constexpr double leastCorrelationMeasured = 0.9;
 // Least odds against the next codeword, ln: one in 10^5 is wrong, if the pose is right.
 constexpr double leastOdds = 12.;
-// Residuals of the best codeword, in units of what noise and model leave.
+// Residuals of the best codeword, in units of what noise and model leave. Beyond the other odds, ln, they may be more:
+// of a track that is less than a pixel wide the model misses some hundredths of its contrast. And if the same code was
+// read sector by sector, more again: the phases that are tried are then the coarsest of what is seen.
 constexpr double mostUnexplained = 1.2;
+constexpr double clearOdds = 40.;
+constexpr double mostUnexplainedIfClear = 1.6;
+constexpr double mostUnexplainedIfRead = 3.;
 // At a wrong pose, too, one codeword is the best, by up to e^26; but it does not leave the image's noise alone. Of a
 // right one no more is left than this factor, and this share of the contrast for what the model lacks.
 constexpr double oddsAtAnyPose = 30.;
@@ -79,7 +84,10 @@ bool isProven(const LikelyCode &code, const FittedPose &fit, double noise, bool 
 {
   const double contrast = fit.photometry.light * fit.photometry.contrast;
   const double noiseAlone = mostNoise * std::max(noise, rounding);
-  const bool isLikely = code.odds > leastOdds && code.unexplained < mostUnexplained;
+  const double mostLeft = code.odds < clearOdds ? mostUnexplained
+                          : isCertain           ? mostUnexplainedIfRead
+                                                : mostUnexplainedIfClear;
+  const bool isLikely = code.odds > leastOdds && code.unexplained < mostLeft;
   const bool isRightPose = code.odds > oddsAtAnyPose || fit.noise < noiseAlone + mostLacking * contrast;
   const bool isPrint = isCertain ? leavesWhatPrintsLeave(fit, noise, mostUnlikeIfCertain)
                                  : leavesWhatPrintsLeave(fit, noise, mostUnlike) && fit.correlation > leastCorrelation;

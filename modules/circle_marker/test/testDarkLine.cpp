@@ -19,7 +19,7 @@
 
 #include <gtest/gtest.h>
 
-#include "testRoomTools.h"
+#include "testSheetTools.h"
 
 using namespace circle_marker;
 using namespace room_test;
@@ -30,13 +30,6 @@ constexpr double blur = 0.9;
 constexpr double rise = 3.; // grey levels
 const LineSearch all = {48, 0.};
 
-// Image of a point of the marker's plane, in units of the radius.
-Eigen::Vector2d project(const MarkerScene &scene, const Eigen::Vector2d &onPlane)
-{
-  const Eigen::Vector3d p = scene.center + scene.radius * (scene.rotation.leftCols<2>() * onPlane);
-  return scene.focal * p.head<2>() / p.z() + scene.principal;
-}
-
 // The edge of the white inside of the ring, whose bright side is that of the centre.
 std::vector<EdgePoint> insideOf(const MarkerScene &scene)
 {
@@ -46,20 +39,6 @@ std::vector<EdgePoint> insideOf(const MarkerScene &scene)
     const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
     const Eigen::Vector2d position = project(scene, scene.family.getLayout().ringInner * direction);
     points.push_back({position, project(scene, 0.7 * direction) - position});
-  }
-  return points;
-}
-
-// The edge of the sheet.
-std::vector<EdgePoint> sheetOf(const MarkerScene &scene)
-{
-  std::vector<EdgePoint> points;
-  for (int i = 0; i < 60; ++i) {
-    const double along = scene.sheet * ((i % 15) / 7.5 - 1.);
-    const std::array<Eigen::Vector2d, 4> sides = {
-        Eigen::Vector2d(along, -scene.sheet), Eigen::Vector2d(scene.sheet, along), Eigen::Vector2d(-along, scene.sheet),
-        Eigen::Vector2d(-scene.sheet, -along)};
-    points.push_back({project(scene, sides[static_cast<std::size_t>(i / 15)]), Eigen::Vector2d::Zero()});
   }
   return points;
 }
@@ -122,11 +101,8 @@ TEST(DarkLine, TheFirstLookSeesIt)
     const MarkerScene scene = thinScene(random, 20.);
     const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), 1., random);
     for (const RingNeighbour neighbour : {RingNeighbour::INSIDE, RingNeighbour::SHEET}) {
-      std::vector<EdgePixel> pixels;
-      for (const EdgePoint &point : neighbour == RingNeighbour::INSIDE ? insideOf(scene) : sheetOf(scene)) {
-        pixels.push_back(
-            {static_cast<short>(std::lround(point.position.x())), static_cast<short>(std::lround(point.position.y()))});
-      }
+      const std::vector<EdgePixel> pixels =
+          pixelsOf(neighbour == RingNeighbour::INSIDE ? insideOf(scene) : sheetOf(scene));
       EXPECT_TRUE(mayHaveDarkLineBeside(I, pixels.data(), pixels.size(), neighbour, rise));
     }
   }

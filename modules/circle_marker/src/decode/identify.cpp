@@ -36,6 +36,9 @@ constexpr double leastUncertainContrast = 0.1;
 // dims a narrow quiet zone, but within the ring's contrast. Bright spots with a dark rim, whose slope around the spot
 // was taken for sectors, have it outside.
 constexpr double mostOffMiddle = 0.7;
+// A quiet zone thinner than the blur on dark ground may have lost three quarters of its brightness, and the track seems
+// brighter than white: the middle is at most this.
+constexpr double mostMiddleInDimZone = 4.;
 // A track that is not made of sectors leaves more than this share of its own contrast unexplained.
 constexpr double mostResidual = 0.25;
 
@@ -130,9 +133,12 @@ Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerF
   return result;
 }
 
-std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCircleMarkerFamily &family)
+std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCircleMarkerFamily &family,
+                                       bool mayZoneBeDim)
 {
-  if (reading.contrast < leastUncertainContrast || std::abs(reading.middle - 0.5) > mostOffMiddle) {
+  const double mostMiddle = mayZoneBeDim ? mostMiddleInDimZone : 0.5 + mostOffMiddle;
+  if (reading.contrast < leastUncertainContrast || reading.middle < 0.5 - mostOffMiddle ||
+      reading.middle > mostMiddle) {
     return std::nullopt;
   }
   const CyclicCode &code = codeOf(family);

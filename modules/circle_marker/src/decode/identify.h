@@ -47,8 +47,12 @@ Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerF
 /*!
   The codeword that agrees best with a reading, however little it does; nothing if the track is not made of sectors. All
   codewords are tried.
+  \param reading : The track's sectors.
+  \param family : What codes there are.
+  \param mayZoneBeDim : Whether the quiet zone, which tells what is white, may be lost in the blur of dark ground.
 */
-std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCircleMarkerFamily &family);
+std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCircleMarkerFamily &family,
+                                       bool mayZoneBeDim);
 /*!
   The marker of which a part is not seen: of all codewords the one for which its pixels speak most (WordEvidence), if
   they do so by odds of a thousand against all others, and if they tell at least as many sectors as the message has

@@ -32,8 +32,9 @@ namespace circle_marker {
 namespace {
 // The radial profile of a blurred thin ring keeps this share of the step across the outline.
 constexpr double shareOfContrast = 0.3;
-// A code cannot be read on a smaller semi-minor axis, pixels: its track would be less than a pixel wide there.
-constexpr double leastCodeSemiMinor = 3.;
+// A code is not read on a smaller semi-minor axis, pixels: of markers at a grazing angle this is where, even on white
+// ground in little noise, more codes are left in doubt than read. Their outlines are found half a pixel too wide.
+constexpr double leastCodeSemiMinor = 2.3;
 // Nor where the track has fewer pixels than sectors: what is read then is made of the blur's model, not of the image.
 constexpr double leastSectorPixels = 1.;
 // The smallest plain ring that is promised to be found has a minor axis of 8 pixels, whose blurred outline shrinks by
@@ -248,7 +249,7 @@ std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, c
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
   for (std::size_t i = 0; i < 2; ++i) {
     const Judged<SectorReading> sectors = readSectors(I, camera, poses[i], family);
-    const auto closest = sectors ? closestCode(*sectors, family) : std::nullopt;
+    const auto closest = sectors ? closestCode(*sectors, family, outline.isByLine) : std::nullopt;
     if (closest) {
       codes[i] = *closest;
     }

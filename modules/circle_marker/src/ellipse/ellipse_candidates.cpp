@@ -23,6 +23,7 @@
 
 #include "edges/convex_arcs.h"
 #include "ellipse/outline_greys.h"
+#include "ellipse/sheet_ring.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -41,6 +42,8 @@ constexpr std::size_t longestThinSheet = 150;
 // 4 pi times the area that either encloses, of the square of its length in pixels: more than 0.6 of an ellipse or a
 // sheet at 75 degrees, and the steps along diagonals are not counted longer.
 constexpr double leastRoundness = 0.5;
+// The same of a sheet that is known by its shape alone: one of a ring at 84 degrees has 0.25.
+constexpr double leastSheetRoundness = 0.2;
 // Pieces that are cut from a chain's arcs at their corners, at most: a spiral of short lines has thousands.
 constexpr std::size_t mostPieces = 16;
 // What is inside of an outline that is found to this share is its code: its arcs are not joined.
@@ -214,38 +217,35 @@ struct Search
   bool thinRing(std::size_t index, EllipseMemory::Bench &bench) const
   {
     const EdgeChain &chain = chains.chains[index];
-    const double length = static_cast<double>(chain.length());
-    const double area = 0.5 * std::abs(static_cast<double>(doubledPixelArea(chains, chain)));
-    if (4. * M_PI * area < leastRoundness * length * length) {
-      return false;
-    }
     const EdgePixel *pixels = &chains.pixels[chain.begin];
+    const auto length = static_cast<double>(chain.length());
+    const double area = 0.5 * std::abs(static_cast<double>(doubledPixelArea(chains, chain)));
+    const double roundness = 4. * M_PI * area / (length * length);
+    const bool isRound = roundness >= leastRoundness;
     const double rise = riseBesideLine(gradient);
-    const bool mayBeInside = memory.left[index] == brightInside && chain.length() <= longestThinRing;
-    bool isLocated = false;
-    for (const RingNeighbour neighbour : {RingNeighbour::INSIDE, RingNeighbour::SHEET}) {
-      if ((neighbour == RingNeighbour::INSIDE && !mayBeInside) ||
-          !mayHaveDarkLineBeside(I, pixels, chain.length(), neighbour, rise)) {
-        continue;
-      }
-      if (!isLocated) {
-        bench.points.clear();
-        locateChain(gradient, chains, chain, bench.points);
-        isLocated = true;
-      }
-      if (bench.points.size() >= fewestPoints && proposeThinRing(index, neighbour, bench)) {
-        return true;
-      }
-    }
-    return false;
+    const bool mayBeInside = isRound && memory.left[index] == brightInside && chain.length() <= longestThinRing;
+    const auto hasDarkLine = [&](RingNeighbour neighbour) {
+      return mayHaveDarkLineBeside(I, pixels, chain.length(), neighbour, rise);
+    };
+    bench.points.clear();
+    return (mayBeInside && hasDarkLine(RingNeighbour::INSIDE) && proposeThinRing(index, ThinRing::BY_INSIDE, bench)) ||
+           (isRound && hasDarkLine(RingNeighbour::SHEET) && proposeThinRing(index, ThinRing::BY_SHEET, bench)) ||
+           (roundness >= leastSheetRoundness && mayBeSheet(I, pixels, chain.length(), rise) &&
+            proposeThinRing(index, ThinRing::BY_SHEETS_SHAPE, bench));
   }
 
-  bool proposeThinRing(std::size_t index, RingNeighbour neighbour, EllipseMemory::Bench &bench) const
+  bool proposeThinRing(std::size_t index, ThinRing kind, EllipseMemory::Bench &bench) const
   {
+    if (bench.points.empty()) {
+      locateChain(gradient, chains, chains.chains[index], bench.points);
+    }
+    if (bench.points.size() < fewestPoints) {
+      return false;
+    }
     EllipseMemory::Proposal &proposal = bench.proposals.append();
     proposal.chain = index;
     proposal.candidate.ellipse = EllipseParameters();
-    EllipseReject reason = bench.fitter.fitThinRing(I, gradient, bench.points.data(), bench.points.size(), neighbour,
+    EllipseReject reason = bench.fitter.fitThinRing(I, gradient, bench.points.data(), bench.points.size(), kind,
                                                     sought.thinRing, proposal.candidate);
     // By its outer edge it is known better.
     if (reason == EllipseReject::NONE && memory.known.hasSame(proposal.candidate.ellipse)) {

@@ -24,6 +24,7 @@
 
 #include "ellipse/ellipse_walk.h"
 #include "ellipse/outline_greys.h"
+#include "ellipse/sheet_ring.h"
 #include "support/bilinear.h"
 
 BEGIN_VISP_NAMESPACE
@@ -31,8 +32,8 @@ namespace circle_marker {
 namespace {
 // The smallest ellipse worth trying: a minor axis of 4 pixels still shows its dark band.
 constexpr double leastSemiMinor = 2.;
-// A circle seen at 85 degrees has an axis ratio of 0.087.
-constexpr double leastAxisRatio = 0.08;
+// A circle seen at 87.7 degrees has this axis ratio.
+constexpr double leastAxisRatio = 0.04;
 // Root-mean-square distance of a chain's points from their ellipse, pixels: noise and staircase, and a part that grows
 // with size and leaves room for lens distortion (2 pixels on a ring of radius 300).
 constexpr double fitTolerance = 0.4;
@@ -68,9 +69,9 @@ constexpr double riseOfNoise = 0.7;
 constexpr double leastDarkLine = 0.75;
 // And share that is left when what does not fit is taken away.
 constexpr double leastDarkLineOfMost = 0.6;
-// Semi-minor axes of the outlines that are sought by their dark line, pixels: of smaller rings too little is left, of
+// Semi-minor axes of the outlines that are sought by their dark line, pixels: of smaller rings no code is left, of
 // larger ones the outer edge shows, even on dark ground in a blur of 1.1.
-constexpr double leastThinRing = 3.7;
+constexpr double leastThinRing = 2.3;
 constexpr double mostThinRing = 11.;
 
 double rootMeanSquareDistance(const EllipseCandidate &candidate, const EdgePoint *points, std::size_t count)
@@ -100,6 +101,18 @@ void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double
     }
   }
   candidate.support = static_cast<double>(candidate.points.size()) / samples;
+}
+
+// Makes an ellipse the whole outline.
+void setOutline(const EllipseParameters &ellipse, int samples, EllipseCandidate &candidate)
+{
+  candidate.ellipse = ellipse;
+  candidate.support = 1.;
+  candidate.points.clear();
+  EllipseWalk walk(ellipse, samples);
+  for (int i = 0; i < samples; ++i, walk.next()) {
+    candidate.points.push_back(walk.here());
+  }
 }
 
 // Takes away the points that lie far from the ellipse.
@@ -174,12 +187,45 @@ EllipseReject OutlineFitter::fitJoined(const vpImage<unsigned char> &I, const Gr
 }
 
 EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const Gradient &gradient,
-                                         const EdgePoint *points, std::size_t count, RingNeighbour neighbour,
-                                         double ringInner, EllipseCandidate &candidate)
+                                         const EdgePoint *points, std::size_t count, ThinRing kind, double ringInner,
+                                         EllipseCandidate &candidate)
 {
   candidate.isByLine = true;
   candidate.points.reserve(mostSamples);
   const double rise = riseBesideLine(gradient);
+  if (kind == ThinRing::BY_SHEETS_SHAPE) {
+    const auto line = darkLineOfSheet(I, points, count, rise);
+    if (!line) {
+      return EllipseReject::BRIGHT_INSIDE;
+    }
+    setOutline(*line, mostFirstSamples, candidate);
+  }
+  else {
+    const RingNeighbour neighbour = kind == ThinRing::BY_INSIDE ? RingNeighbour::INSIDE : RingNeighbour::SHEET;
+    const EllipseReject reason = fitDarkLine(I, points, count, neighbour, rise, candidate);
+    if (reason != EllipseReject::NONE) {
+      return reason;
+    }
+  }
+  const double scale = 2. / (1. + ringInner); // from the middle of the ring to its outside
+  EllipseParameters &ellipse = candidate.ellipse;
+  ellipse.a *= scale;
+  ellipse.b *= scale;
+  if (ellipse.b < leastThinRing || ellipse.b > mostThinRing) {
+    return EllipseReject::BRIGHT_INSIDE;
+  }
+  candidate.conic = conicFromEllipse(ellipse);
+  for (EdgePoint &point : candidate.points) {
+    point.position = ellipse.center + scale * (point.position - ellipse.center);
+  }
+  candidate.contrast = medianContrast(I, candidate);
+  return candidate.contrast < rise ? EllipseReject::NOT_DARK_INSIDE : EllipseReject::NONE;
+}
+
+// An ellipse through the dark line beside a closed edge.
+EllipseReject OutlineFitter::fitDarkLine(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count,
+                                         RingNeighbour neighbour, double rise, EllipseCandidate &candidate)
+{
   const LineSearch search = {mostFirstSamples, leastDarkLine};
   candidate.support = darkLineBeside(I, points, count, neighbour, rise, search, candidate.points);
   if (candidate.support < leastDarkLine) {
@@ -199,19 +245,7 @@ EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const 
       return EllipseReject::BAD_FIT;
     }
   }
-  const double scale = 2. / (1. + ringInner); // from the middle of the ring to its outside
-  EllipseParameters &ellipse = candidate.ellipse;
-  ellipse.a *= scale;
-  ellipse.b *= scale;
-  if (ellipse.b < leastThinRing || ellipse.b > mostThinRing) {
-    return EllipseReject::BRIGHT_INSIDE;
-  }
-  candidate.conic = conicFromEllipse(ellipse);
-  for (EdgePoint &point : candidate.points) {
-    point.position = ellipse.center + scale * (point.position - ellipse.center);
-  }
-  candidate.contrast = medianContrast(I, candidate);
-  return candidate.contrast < rise ? EllipseReject::NOT_DARK_INSIDE : EllipseReject::NONE;
+  return EllipseReject::NONE;
 }
 
 EllipseReject OutlineFitter::follow(const vpImage<unsigned char> &I, const Gradient &gradient,

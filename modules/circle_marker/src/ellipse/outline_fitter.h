@@ -29,6 +29,14 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! How a ring is found whose outer edge does not show. */
+enum class ThinRing
+{
+  BY_INSIDE,      //!< By the dark line around its inner edge.
+  BY_SHEET,       //!< By the dark line within the edge of its sheet, direction by direction.
+  BY_SHEETS_SHAPE //!< By that line on all directions together, if the sheet has the shape of its circles.
+};
+
 /*!
   Fits ellipses to runs of edge points and completes them by searching their whole outline for edges. It holds working
   memory and no state: what it makes of a run does not depend on what it has seen before. One for each thread.
@@ -67,12 +75,12 @@ public:
     \param I : The image.
     \param gradient : Its gradient.
     \param points, count : The closed edge of what lies beside the ring.
-    \param neighbour : Of what.
+    \param kind : Of what, and how the line is found from there.
     \param ringInner : Inner radius of the ring, of the outer one.
     \param candidate : The outline, if the result is EllipseReject::NONE; undefined otherwise.
   */
   EllipseReject fitThinRing(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
-                            std::size_t count, RingNeighbour neighbour, double ringInner, EllipseCandidate &candidate);
+                            std::size_t count, ThinRing kind, double ringInner, EllipseCandidate &candidate);
 
   /*!
     The outline of a marker that was seen in the image before.
@@ -86,6 +94,8 @@ public:
                        const SoughtCenters &sought, EllipseCandidate &candidate);
 
 private:
+  EllipseReject fitDarkLine(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count,
+                            RingNeighbour neighbour, double rise, EllipseCandidate &candidate);
   bool fitPoints(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate,
                  const FitLimits &limits = roughFit);
   bool fitMost(const EdgePoint *points, std::size_t count, EllipseCandidate &candidate);
