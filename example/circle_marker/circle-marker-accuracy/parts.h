@@ -62,10 +62,14 @@ struct ThesisCell
   double maxTilt;               //!< Degrees.
   double maxDepth;              //!< Metres.
   double meanError, meanNormal; //!< What is aimed at: mean |C - eC|, mm, and mean angle of the normal, degrees.
+  double leastFound;            //!< And share of the coded markers found and rightly read.
 };
 
-constexpr ThesisCell thesisCells[] = {
-    {30., 10.4, 0.6, 0.07}, {60., 10.4, 0.7, 0.07}, {60., 18.4, 3., 0.3}, {90., 10.4, 1., 0.1}, {90., 18.4, 4., 0.4}};
+constexpr ThesisCell thesisCells[] = {{30., 10.4, 0.6, 0.07, 0.999},
+                                      {60., 10.4, 0.7, 0.07, 0.999},
+                                      {60., 18.4, 3., 0.3, 0.995},
+                                      {90., 10.4, 1., 0.1, 0.92},
+                                      {90., 18.4, 4., 0.4, 0.9}};
 constexpr const char *thesisFamilies[] = {"golay23", "ring"};
 
 std::string nameOf(const ThesisCell &cell);

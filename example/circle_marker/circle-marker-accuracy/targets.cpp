@@ -163,6 +163,10 @@ void addCells(const Records &cells, std::vector<Check> &checks)
     for (const ThesisCell &cell : thesisCells) {
       const std::string name = std::string(family) + " " + nameOf(cell);
       const Summary s = summaryOf(chosen(cells, inGroup(name)));
+      if (s.frames >= leastImages && familyOf(family).isCoded()) {
+        checks.push_back({"found", name, share(s.found, s.frames), cell.leastFound, infinity, s.frames,
+                          shareError(s.found, s.frames)});
+      }
       if (s.found >= leastImages) {
         checks.push_back({"mean |C-eC|, mm", name, s.position, -infinity, cell.meanError, s.found,
                           s.positionSpread / root(s.found)});

@@ -35,10 +35,12 @@ constexpr double farthest = 0.96;
 constexpr std::size_t steps = 31; // of 0.02: a tenth of a pixel of the smallest ring
 // Semi-minor axis of that ellipse, pixels: on larger sheets the ring has an outer edge.
 constexpr double mostSemiMinor = 10.;
-// Directions that are asked, at a first look and then. All lie around the ends of the longer axis, where the blur
-// leaves most of the ring.
-constexpr std::size_t fewDirections = 8;
+// Directions that are asked at a first look, at the next, and then. All lie around the ends of the longer axis, where
+// the blur leaves most of the ring.
+constexpr std::array<std::size_t, 2> fewDirections = {{2, 8}};
 constexpr std::size_t manyDirections = 48;
+// The line is deeper than this share of all differences along the way: of what is no ring little is.
+constexpr double leastDepth = 0.1;
 // Area of a sheet, of that of the ellipse with its second moments: 1 of a disc, 0.955 of a square at any slant.
 // Letters, stars and most of what is cluttered have less.
 constexpr double leastCompactness = 0.9;
@@ -142,12 +144,17 @@ std::optional<Profile> profileOf(const vpImage<unsigned char> &I, const Shape &s
 // The deepest valley: black sectors inside of a ring are less than half of their circle. 0: none.
 std::size_t deepestValley(const Profile &greys, double rise)
 {
-  std::size_t darkest = 0;
-  double deepest = rise;
+  Profile outside; // the brightest from a step on
+  outside[steps - 1] = greys[steps - 1];
+  for (std::size_t i = steps - 1; i-- > 0;) {
+    outside[i] = std::max(greys[i], outside[i + 1]);
+  }
+  const double range = outside[0] - *std::min_element(greys.begin(), greys.end());
+  double deepest = std::max(rise, leastDepth * range);
   double inside = greys[0];
+  std::size_t darkest = 0;
   for (std::size_t i = 1; i + 1 < steps; ++i) {
-    const double outside = *std::max_element(greys.begin() + static_cast<std::ptrdiff_t>(i + 1), greys.end());
-    const double depth = std::min(inside, outside) - greys[i];
+    const double depth = std::min(inside, outside[i + 1]) - greys[i];
     if (depth > deepest) {
       deepest = depth;
       darkest = i;
@@ -170,8 +177,10 @@ bool mayBeSheet(const vpImage<unsigned char> &I, const EdgePixel *pixels, std::s
   if (!shape || shape->semiAxes[1] > mostSemiMinor) {
     return false;
   }
-  const auto greys = profileOf(I, *shape, fewDirections);
-  return greys && deepestValley(*greys, rise) > 0;
+  return std::all_of(fewDirections.begin(), fewDirections.end(), [&](std::size_t directions) {
+    const auto greys = profileOf(I, *shape, directions);
+    return greys && deepestValley(*greys, rise) > 0;
+  });
 }
 
 std::optional<EllipseParameters> darkLineOfSheet(const vpImage<unsigned char> &I, const EdgePoint *points,
