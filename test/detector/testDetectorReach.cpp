@@ -36,6 +36,8 @@ struct Sort
   double blur = 0.7;     //!< Pixels.
   double paper = 220.;   //!< Grey level.
   double leastTilt = 0.; //!< rad
+  double ink = 30.;      //!< Grey level.
+  double noise = 2.;     //!< Grey levels.
 };
 
 // Eight images of 24 markers each.
@@ -54,6 +56,8 @@ void expectReach(const Sort &sort)
     vpScenePhotometry photometry;
     photometry.blurSigma = sort.blur;
     photometry.paper = sort.paper;
+    photometry.ink = sort.ink;
+    photometry.noiseSigma = sort.noise;
     simulator.setPhotometry(photometry);
     for (int i = 0; i < columns * rows; ++i) {
       const double u = width * (i % columns + 0.5) / columns + uniform(random, -5., 5.);
@@ -164,6 +168,12 @@ TEST(DetectorReach, CodesAtGrazingAngles)
 TEST(DetectorReach, CodesAtGrazingAnglesOnDarkGround)
 {
   expectReach({vpCircleMarkerFamily::GOLAY23, 7., 9., 1.4, 10., 160., 0.87, 0.7, 220., 1.2});
+}
+
+// The noise alone keeps them from correlating with their model.
+TEST(DetectorReach, FaintCodes)
+{
+  expectReach({vpCircleMarkerFamily::GOLAY23, 16., 24., 0.9, 110., 110., 0.95, 0.9, 110., 0., 50., 4.5});
 }
 
 // However narrow, an ellipse of 200 pixels is no line.

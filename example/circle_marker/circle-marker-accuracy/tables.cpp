@@ -258,13 +258,15 @@ Table missesOf(const std::vector<Check> &checks)
   for (const Check &check : checks) {
     if (!check.isMet()) {
       std::ostringstream asked;
-      if (std::isfinite(check.least)) {
-        asked << check.least << " to ";
+      if (!std::isfinite(check.most)) {
+        asked << "at least " << check.least;
+      }
+      else if (std::isfinite(check.least)) {
+        asked << check.least << " to " << check.most;
       }
       else {
-        asked << "at most ";
+        asked << "at most " << check.most;
       }
-      asked << check.most;
       table.rows.push_back({check.target, check.where, format("%.3g", check.value), format("%.2g", check.error),
                             asked.str(), std::to_string(check.frames), check.isClear() ? "yes" : ""});
     }

@@ -217,6 +217,28 @@ TEST(Identify, MarginContrastAndResidualAreDemanded)
   EXPECT_TRUE(identify(spot, family, DecodeSettings()));
 }
 
+// In the blur of dark ground the quiet zone is no white: the track is brighter.
+TEST(Identify, TheClosestCodeMayBeBrighterThanADimZone)
+{
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  SectorReading reading = clearReading(family.getCodeword(7), 23);
+  for (const bool mayZoneBeDim : {false, true}) {
+    const auto code = closestCode(reading, family, mayZoneBeDim);
+    ASSERT_TRUE(code);
+    EXPECT_EQ(code->id, 7);
+  }
+  reading.contrast = 3.;
+  reading.middle = 2.;
+  EXPECT_FALSE(closestCode(reading, family, false));
+  const auto code = closestCode(reading, family, true);
+  ASSERT_TRUE(code);
+  EXPECT_EQ(code->id, 7);
+  reading.middle = 5.;
+  EXPECT_FALSE(closestCode(reading, family, true));
+  reading.middle = -0.5;
+  EXPECT_FALSE(closestCode(reading, family, true));
+}
+
 TEST(Identify, MarkersOfOtherFamiliesAreNotMistaken)
 {
   Random random = randomOfTest();
