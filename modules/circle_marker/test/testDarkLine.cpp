@@ -60,12 +60,8 @@ void expectMiddleOfRing(const MarkerScene &scene, const std::vector<EdgePoint> &
 
 MarkerScene thinScene(Random &random, double ground)
 {
-  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
-  const double tilt = uniform(random, 0., 0.8);
-  MarkerScene scene = markerScene(random, family, static_cast<int>(random() % family.getNbIds()),
-                                  uniform(random, 16., 22.) / std::cos(tilt), tilt, side);
+  MarkerScene scene = sheetScene(random, side, {16., 22.}, {0., 0.8}, ground);
   scene.white = 150.;
-  scene.surround = ground;
   return scene;
 }
 } // namespace

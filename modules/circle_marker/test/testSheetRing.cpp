@@ -32,12 +32,7 @@ constexpr double rise = 2.; // grey levels
 // A marker at a grazing angle: its ring is less than a pixel wide where it is narrow.
 MarkerScene grazingScene(Random &random, double ground)
 {
-  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
-  const double tilt = uniform(random, 1.2, 1.4);
-  MarkerScene scene = markerScene(random, family, static_cast<int>(random() % family.getNbIds()),
-                                  uniform(random, 7., 8.) / std::cos(tilt), tilt, side);
-  scene.surround = ground;
-  return scene;
+  return sheetScene(random, side, {7., 8.}, {1.2, 1.4}, ground);
 }
 
 vpImage<unsigned char> imageOf(const MarkerScene &scene, Random &random)

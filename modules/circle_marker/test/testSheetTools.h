@@ -34,6 +34,24 @@ inline Eigen::Vector2d project(const MarkerScene &scene, const Eigen::Vector2d &
   return scene.focal * p.head<2>() / p.z() + scene.principal;
 }
 
+/*!
+  A golay23 marker on its sheet, in the middle of a square image.
+  \param random : What it is drawn by.
+  \param side : Of the image, pixels.
+  \param minor, tilt : Least and greatest minor axis, pixels, and angle of view, radians.
+  \param ground : Grey level around the sheet.
+*/
+inline MarkerScene sheetScene(Random &random, unsigned int side, const Eigen::Vector2d &minor,
+                              const Eigen::Vector2d &tilt, double ground)
+{
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const double angle = uniform(random, tilt[0], tilt[1]);
+  MarkerScene scene = markerScene(random, family, static_cast<int>(random() % family.getNbIds()),
+                                  uniform(random, minor[0], minor[1]) / std::cos(angle), angle, side);
+  scene.surround = ground;
+  return scene;
+}
+
 //! The edge of the sheet.
 inline std::vector<circle_marker::EdgePoint> sheetOf(const MarkerScene &scene)
 {

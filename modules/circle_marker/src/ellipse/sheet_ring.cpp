@@ -28,8 +28,8 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// The middle of a ring lies, in units of the ellipse that has a sheet's second moments, at 0.66 on a square sheet with
-// a quiet zone of a sixth of the radius, at 0.76 on a round one, and farther in where the sheet is larger.
+// The middle of a ring lies, in units of the ellipse that has a sheet's second moments, at 0.67 on a square sheet with
+// a quiet zone of a sixth of the radius, at 0.77 on a round one, and farther in where the sheet is larger.
 constexpr double nearest = 0.36;
 constexpr double farthest = 0.96;
 constexpr std::size_t steps = 31; // of 0.02: a tenth of a pixel of the smallest ring
