@@ -70,13 +70,13 @@ MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const Camer
   const ImageFrame frame = frameOf(start, camera);
   ring.origin = frame.center;
   ring.light = fit.photometry.light;
-  ring.slope = fit.photometry.lightGradient / frame.size;
-  ring.contrast = fit.photometry.contrast;
+  ring.slope = fit.photometry.gamma() * fit.photometry.light / frame.size * fit.photometry.lightGradient;
+  ring.contrast = fit.photometry.contrast();
   ring.blur = fit.photometry.blur.widest();
   ring.noise = fit.noise;
   if (const auto &shadow = fit.photometry.shadow) {
     const Eigen::Vector2d toDark(std::cos(shadow->direction), std::sin(shadow->direction));
-    ring.shade = shadow->factor;
+    ring.shade = std::pow(shadow->factor, fit.photometry.gamma());
     ring.toShade = toDark / (shadow->softness * frame.size);
     ring.shadeEdge = shadow->edge / shadow->softness;
   }
@@ -112,7 +112,7 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
     return WholeVerdict::RIGHT;
   }
   const Photometry &photometry = measurement.first.photometry;
-  const double contrast = photometry.contrast * photometry.light;
+  const double contrast = photometry.contrast() * photometry.light;
   const bool isDoubted = marker.code.hamming > 0;
   if (photometry.shadow && !isDoubted) { // the edge of a shadow is not modelled well enough
     return WholeVerdict::RIGHT;

@@ -77,15 +77,15 @@ bool leavesWhatPrintsLeave(const FittedPose &fit, double noise, double share)
 {
   constexpr double white = 255.;
   const double paper = std::min(fit.photometry.light, white);
-  const double ink = std::max(fit.photometry.light * (1. - fit.photometry.contrast), 0.);
-  return fit.photometry.contrast < 1. + share &&
+  const double ink = std::max(fit.photometry.light * (1. - fit.photometry.contrast()), 0.);
+  return fit.photometry.contrast() < 1. + share &&
          fit.noise < mostNoise * std::max(noise, rounding) + share * (paper - ink);
 }
 
 // Whether a marker's likeliest code is beyond doubt.
 bool isProven(const LikelyCode &code, const FittedPose &fit, double noise, bool isCertain)
 {
-  const double contrast = fit.photometry.light * fit.photometry.contrast;
+  const double contrast = fit.photometry.light * fit.photometry.contrast();
   const double noiseAlone = mostNoiseAtRightPose * std::max(noise, rounding);
   const double mostLeft = code.odds < clearOdds ? mostUnexplained
                           : isCertain           ? mostUnexplainedIfRead

@@ -36,7 +36,7 @@ FittedPose fitOf(const MarkerScene &scene, double spin)
   fit.plane = scene.plane();
   fit.plane.spin(-spin);
   fit.photometry.light = scene.white;
-  fit.photometry.contrast = 1. - scene.black / scene.white;
+  fit.photometry.absorption = 1. - scene.black / scene.white;
   fit.photometry.blur.sigma = std::sqrt(blur * blur + 1. / 12.);
   fit.noise = noise;
   return fit;

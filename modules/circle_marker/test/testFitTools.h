@@ -42,8 +42,9 @@ constexpr unsigned int side = 120;
 struct Light
 {
   double level = 200.;
-  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
-  double contrast = 0.85;
+  Eigen::Vector2d gradient = Eigen::Vector2d::Zero(); //!< Of the light, where that is given as the grey level.
+  double contrast = 0.85;                             //!< Of the light.
+  double gamma = 1.;
 };
 
 struct Case
@@ -68,9 +69,9 @@ inline void fillFromModel(Case &made, const Light &light, const BlurParameters &
   std::normal_distribution<double> normal(0., 1.);
   for (FitPixel &pixel : made.pixels) {
     const double darkness = darknessAt(pixel.model(), made.scene.plane(), made.pattern, blur).value;
-    const double white = light.level + light.gradient.dot(pixel.offset.cast<double>());
-    pixel.grey =
-        static_cast<float>(white * (1. - light.contrast * darkness) + (noise > 0. ? noise * normal(random) : 0.));
+    const double share = 1. + light.gradient.dot(pixel.offset.cast<double>()) / light.level;
+    const double grey = light.level * std::pow(share * (1. - light.contrast * darkness), light.gamma);
+    pixel.grey = static_cast<float>(grey + (noise > 0. ? noise * normal(random) : 0.));
     pixel.beyond = {}; // the model's paper has no end
   }
 }

@@ -247,13 +247,13 @@ void expectDerivatives(double leastDiameter, double mostDiameter, double precisi
           markerScene(random, family, id, uniform(random, leastDiameter, mostDiameter), uniform(random, 0., 0.9), side);
       const MarkerPattern pattern = patternOf(family, id, family.getLayout().ringInner);
       const CameraModel camera(scene.camera());
+      const double pixelSize = scene.center.z() / scene.focal;
       BlurParameters blur;
       blur.sigma = uniform(random, 0.6, 1.2);
-      blur.growth = uniform(random, -0.2, 0.2);
+      blur.spread = uniform(random, -0.2, 0.2) * pixelSize / scene.radius;
       blur.elongation = Eigen::Vector2d(uniform(random, -0.15, 0.15), uniform(random, -0.15, 0.15));
       blur.sigma /= std::pow(blur.widest() / blur.sigma, 2.); // edges bend as much at most within it as without
       // Central differences with steps of about a hundredth of a pixel.
-      const double pixelSize = scene.center.z() / scene.focal;
       const auto difference = [&](const ModelPixel &pixel, int parameter) {
         double values[2];
         double step = 0.01;
@@ -273,7 +273,8 @@ void expectDerivatives(double leastDiameter, double mostDiameter, double precisi
             changed.sigma += h;
           }
           else if (parameter == 7) {
-            changed.growth += h;
+            step = 0.01 * pixelSize / scene.radius;
+            changed.spread += h * pixelSize / scene.radius;
           }
           else {
             changed.elongate(h * Eigen::Vector2d::Unit(parameter - 8));
@@ -300,7 +301,7 @@ void expectDerivatives(double leastDiameter, double mostDiameter, double precisi
           const auto p = static_cast<std::size_t>(parameter);
           const double analytic = parameter < 6    ? darkness.byPose[parameter]
                                   : parameter == 6 ? darkness.bySigma
-                                  : parameter == 7 ? darkness.byGrowth
+                                  : parameter == 7 ? darkness.bySpread
                                                    : darkness.byElongation[parameter - 8];
           const double numeric = difference(pixel, parameter);
           largest[p] = std::max(largest[p], std::fabs(numeric));
@@ -311,7 +312,7 @@ void expectDerivatives(double leastDiameter, double mostDiameter, double precisi
       // What a sharp edge's derivative is like: the sample may have met no edge.
       const double common = 0.4 / blur.sigma;
       for (std::size_t p = 0; p < count; ++p) {
-        const double scale = p < 3 ? common / pixelSize : p < 6 ? common * scene.radius / pixelSize : common;
+        const double scale = p < 3 ? common / pixelSize : p < 6 || p == 7 ? common * scene.radius / pixelSize : common;
         const double size = std::max(largest[p], scale);
         EXPECT_LT(worst[p], precision * size) << family.getName() << " parameter " << p << " sigma " << blur.sigma;
         // How the blur's elongation changes what rims bend away at corners is not in the derivative.
@@ -370,23 +371,23 @@ TEST(ImageModel, TheValueIsTheSameWithoutItsDerivatives)
   EXPECT_LT(worst, 1e-6); // compilers may round differently
 }
 
-TEST(ImageModel, GrowthMovesEveryEdgeOutward)
+TEST(ImageModel, SpreadMovesEveryEdgeOutward)
 {
-  // Black that is larger by g has each of its edges displaced by g: for the ring, other radii.
+  // Ink that has spread by s has each of its edges displaced by s: for the ring, other radii.
   Random random = randomOfTest();
   MarkerScene scene = markerScene(random, vpCircleMarkerFamily::ring(0.8), -1, 90., 0., side);
   const CameraModel camera(scene.camera());
   const MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
   const double perPixel = scene.center.z() / (scene.focal * scene.radius);
-  BlurParameters grown;
-  grown.growth = 0.25;
+  BlurParameters spread;
+  spread.spread = 0.25 * perPixel;
   MarkerPattern larger = pattern;
   larger.ring[0].radius += 0.25 * perPixel;
   larger.ring[1].radius -= 0.25 * perPixel;
   for (unsigned int v = 0; v < side; ++v) {
     for (unsigned int u = 0; u < side; ++u) {
       const ModelPixel pixel = pixelAt(camera, Eigen::Vector2d(u, v));
-      EXPECT_NEAR(darknessAt(pixel, scene.plane(), pattern, grown).value,
+      EXPECT_NEAR(darknessAt(pixel, scene.plane(), pattern, spread).value,
                   darknessAt(pixel, scene.plane(), larger, BlurParameters()).value, 0.002);
     }
   }

@@ -50,6 +50,24 @@ TEST(Lanes, FarAwayIsNeitherInfiniteNorUnknown)
   }
 }
 
+TEST(Lanes, ExponentialAndLogarithm)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 1000; ++i) {
+    Lanes x;
+    for (int lane = 0; lane < laneCount; ++lane) {
+      x[lane] = static_cast<float>(uniform(random, -12., 6.));
+    }
+    const Lanes power = x.exp();
+    const Lanes back = power.log();
+    for (int lane = 0; lane < laneCount; ++lane) {
+      const double expected = std::exp(static_cast<double>(x[lane]));
+      EXPECT_NEAR(power[lane], expected, 3e-7 * expected) << x[lane];
+      EXPECT_NEAR(back[lane], std::log(static_cast<double>(power[lane])), 1e-6) << x[lane];
+    }
+  }
+}
+
 TEST(Lanes, BelowABound)
 {
   Random random = randomOfTest();

@@ -179,14 +179,15 @@ TEST(LineModel, LargeMarkersAreNotCorrected)
       [](PixelSight, const PixelBlock &block, int) { EXPECT_EQ(block.correction.abs().maxCoeff(), 0.f); });
 }
 
-TEST(LineModel, BlackGrowsAsThatOfTheParabolas)
+TEST(LineModel, InkSpreadsAsThatOfTheParabolas)
 {
   Random random = randomOfTest();
   const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 5, 70., 0.5, side);
   Case made(scene, 0.7);
-  for (const double growth : {-0.2, 0.2}) {
+  const double perPixel = scene.center.z() / (scene.focal * scene.radius);
+  for (const double pixels : {-0.2, 0.2}) {
     BlurParameters blur = made.photometry.blur;
-    blur.growth = growth;
+    blur.spread = pixels * perPixel;
     const LineModel lines(made.plane, made.pattern, blur, made.blocks.reference);
     const ImageModel parabolas(made.plane, made.pattern, blur, made.blocks);
     made.forEachBlock([&](PixelSight sight, const PixelBlock &block, int count) {

@@ -41,27 +41,26 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       blur.elongation = Eigen::Vector2d(uniform(random, -0.2, 0.2), uniform(random, -0.2, 0.2));
       fillFromModel(made, light, blur, 0., random);
       FitSettings settings = settingsOf(family);
-      settings.exactBends = false;  // the images are made of parabolas
-      settings.convergence = 0.003; // with noise less would do; here it would be the largest error
+      settings.exactBends = false;   // the images are made of parabolas
+      settings.convergence = 0.0003; // with noise less would do; here it would be the largest error
+      settings.mostIterations = 100;
       const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.03), made.pattern, settings);
       ASSERT_TRUE(fit);
       const MarkerPlane truth = made.scene.plane();
+      // The priors of gradient and elongation pull a little, and gamma, the least well known of all, gives way.
       EXPECT_LT((fit->plane.center - truth.center).norm() / truth.center.z(), 1e-6)
           << family.getName() << " tilt " << std::acos(truth.rotation(2, 2));
-      EXPECT_LT((fit->plane.rotation.col(2) - truth.rotation.col(2)).norm(), 1e-6) << family.getName();
+      EXPECT_LT((fit->plane.rotation.col(2) - truth.rotation.col(2)).norm(), 2e-6) << family.getName();
       if (family.isCoded()) {
         EXPECT_LT((fit->plane.rotation - truth.rotation).norm(), 2e-6) << family.getName();
       }
-      EXPECT_NEAR(fit->photometry.light, light.level, 1e-3);
-      EXPECT_NEAR(fit->photometry.contrast, light.contrast, 1e-5);
-      // The priors of gradient and elongation pull a little.
-      EXPECT_LT((fit->photometry.lightGradient - light.gradient).norm(), 5e-3);
+      EXPECT_NEAR(fit->photometry.light, light.level, 2e-3);
+      EXPECT_NEAR(fit->photometry.contrast(), light.contrast, 2e-5);
+      EXPECT_NEAR(fit->photometry.gamma(), 1., 3e-3);
+      EXPECT_LT((fit->photometry.gamma() * light.level * fit->photometry.lightGradient - light.gradient).norm(), 5e-3);
       EXPECT_NEAR(fit->photometry.blur.sigma, blur.sigma, 1e-4);
-      EXPECT_LT((fit->photometry.blur.elongation - blur.elongation).norm(), 1e-4);
-      // Growth and spread are nearly one on a print that is hardly tilted: their sum is what is known.
-      const double pixels = made.scene.focal * made.scene.radius / truth.center.z(); // of a radius
-      EXPECT_NEAR(fit->photometry.blur.growth + pixels * fit->photometry.blur.spread, 0., 1e-5);
-      EXPECT_NEAR(fit->photometry.blur.growth, 0., 1e-4);
+      EXPECT_LT((fit->photometry.blur.elongation - blur.elongation).norm(), 2e-4);
+      EXPECT_NEAR(fit->photometry.blur.spread, 0., 3e-5);
       EXPECT_GT(fit->correlation, 0.999999);
       EXPECT_GT(fit->inliers, 0.99);
     }

@@ -64,6 +64,42 @@ TEST(MaximumLikelihoodLight, MotionIsNoError)
   EXPECT_LT(sum / count, 6. / 0.95 + 3.5 * std::sqrt(12. / count));
 }
 
+// Poses are exact in the light to the power of gamma too, but for what the prior pulls.
+TEST(MaximumLikelihoodLight, GammaIsFound)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I(side, side, 0);
+  for (const vpCircleMarkerFamily::vpType type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING}) {
+    const vpCircleMarkerFamily family(type);
+    for (const double gamma : {0.45, 0.7, 1.5, 2.2}) {
+      for (int i = 0; i < 10; ++i) {
+        const int id = randomId(random, family);
+        Case made = makeCase(
+            markerScene(random, family, id, uniform(random, 50., 90.), uniform(random, 0.3, 0.9), side), id, I);
+        Light light;
+        light.level = uniform(random, 80., 160.); // below 255 at the brighter end
+        light.gradient = 0.15 * light.level * Eigen::Vector2d(uniform(random, -1., 1.), uniform(random, -1., 1.));
+        light.contrast = uniform(random, 0.6, 0.9);
+        light.gamma = gamma;
+        fillFromModel(made, light, BlurParameters(), 0., random);
+        FitSettings settings = settingsOf(family);
+        settings.exactBends = false; // the images are made of parabolas
+        settings.convergence = 0.0003;
+        settings.mostIterations = 300; // from a gamma of 1, which a low contrast hardly tells
+        const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.02), made.pattern, settings);
+        ASSERT_TRUE(fit);
+        const MarkerPlane truth = made.scene.plane();
+        EXPECT_LT((fit->plane.center - truth.center).norm() / truth.center.z(), 2e-6) << gamma;
+        EXPECT_LT((fit->plane.rotation.col(2) - truth.rotation.col(2)).norm(), 1e-5) << gamma;
+        EXPECT_NEAR(fit->photometry.logGamma, std::log(gamma), 0.02);
+        EXPECT_NEAR(fit->photometry.contrast(), 1. - std::pow(1. - light.contrast, gamma), 1e-4);
+        EXPECT_NEAR(fit->photometry.whiteAt(Eigen::Vector2d(0.5, 0.5)),
+                    light.level * std::pow(1. + 0.5 * light.gradient.sum() / light.level, gamma), 0.01);
+      }
+    }
+  }
+}
+
 namespace {
 struct GradientError
 {
@@ -89,7 +125,8 @@ GradientError errorOfGradient(double steep, Random &random)
     fillFromModel(made, light, BlurParameters(), 10., random);
     const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.01), made.pattern, settingsOf(family));
     if (fit) {
-      const Eigen::Vector2d error = fit->photometry.lightGradient - light.gradient;
+      const Eigen::Vector2d error =
+          fit->photometry.gamma() * light.level * fit->photometry.lightGradient - light.gradient;
       squares += error.squaredNorm();
       along.push_back(error.dot(direction));
     }
@@ -133,7 +170,7 @@ TEST(MaximumLikelihoodLight, NegativeOfAMarkerIsNone)
     const FitStart start = {made.scene.plane(), Photometry(), std::nullopt};
     const auto fit = fitPose(made.pixels, start, made.pattern, settingsOf(family), memory);
     if (fit) {
-      EXPECT_GT(fit->photometry.contrast, 0.);
+      EXPECT_GT(fit->photometry.absorption, 0.);
       EXPECT_LT(fit->correlation, 0.5);
     }
   }

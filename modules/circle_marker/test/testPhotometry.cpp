@@ -12,7 +12,7 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Test of the blur's shape.
+ * Test of the blur's shape, and of light, ink and gamma.
  */
 
 #include "refine/photometry.h"
@@ -59,4 +59,22 @@ TEST(Photometry, ElongationsAddUpAsCovariancesDo)
     EXPECT_LT((blur.shape() * blur.shape() - before * power * before).norm(), 1e-4 * before.squaredNorm());
     EXPECT_NEAR(blur.shape().determinant(), 1., 1e-12);
   }
+}
+
+TEST(Photometry, GreyLevelsAreTheLightToThePowerOfGamma)
+{
+  Photometry photometry;
+  photometry.light = 200.;
+  photometry.lightGradient = Eigen::Vector2d(0.5, 0.);
+  photometry.absorption = 0.75;
+  EXPECT_NEAR(photometry.contrast(), 0.75, 1e-12);
+  EXPECT_NEAR(photometry.whiteAt(Eigen::Vector2d(0.5, 3.)), 250., 1e-9);
+  EXPECT_NEAR(photometry.blackOf(0.625), 0.5, 1e-12);
+  photometry.logGamma = std::log(2.);
+  EXPECT_NEAR(photometry.contrast(), 1. - 0.0625, 1e-12);
+  EXPECT_NEAR(photometry.whiteAt(Eigen::Vector2d(0.5, 3.)), 200. * 1.5625, 1e-9);
+  EXPECT_NEAR(photometry.blackOf(0.625 * 0.625), 0.5, 1e-12);
+  // Ink that takes more light than there is, as noise may have it.
+  photometry.absorption = 1.02;
+  EXPECT_EQ(photometry.contrast(), 1.02);
 }

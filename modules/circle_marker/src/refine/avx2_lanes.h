@@ -73,6 +73,7 @@ public:
   __m256 value() const { return m_value; }
 
   Lanes exp() const;
+  Lanes log() const;
 
   float sum() const
   {
@@ -182,6 +183,23 @@ inline Lanes Lanes::exp() const
   }
   const __m256i exponent = _mm256_slli_epi32(_mm256_add_epi32(_mm256_cvtps_epi32(n), _mm256_set1_epi32(127)), 23);
   return sum * Lanes(_mm256_castsi256_ps(exponent));
+}
+// Of positive numbers that are not denormal: 2^n m with m in [sqrt(1/2), sqrt(2)], and with s = (m - 1) / (m + 1) the
+// series log(m) = 2 (s + s^3 / 3 + ...) up to s^9, whose next term is below 1e-9.
+inline Lanes Lanes::log() const
+{
+  const __m256i rootOfHalf = _mm256_set1_epi32(0x3f3504f3);
+  const __m256i bits = _mm256_sub_epi32(_mm256_castps_si256(m_value), rootOfHalf);
+  const Lanes n = _mm256_cvtepi32_ps(_mm256_srai_epi32(bits, 23));
+  const __m256i mantissa = _mm256_and_si256(bits, _mm256_set1_epi32(0x007fffff));
+  const Lanes m = _mm256_castsi256_ps(_mm256_add_epi32(mantissa, rootOfHalf));
+  const Lanes s = (m - 1.f) / (m + 1.f);
+  const Lanes squared = s.square();
+  Lanes sum = Constant(2.f / 9.f);
+  for (const float factor : {2.f / 7.f, 2.f / 5.f, 2.f / 3.f, 2.f}) {
+    sum = factor + squared * sum;
+  }
+  return s * sum + n * -2.12194440e-4f + n * 0.693359375f;
 }
 } // namespace wide_lanes
 } // namespace circle_marker

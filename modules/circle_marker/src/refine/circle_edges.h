@@ -131,11 +131,10 @@ void seeCircle(const PlaneLanes &p, const CurvatureLanes &curvature, float radiu
     slope.byY = byNormal * slope.footY;
     slope.bySigma = -perSigma * (blackSide * (scaled * (1.f + squared) + bend) + growth * perSigma);
     // Distances across shrink, and the curvature with them and with the square of what is longer along the edge.
-    const Lanes byStretch = -blackSide * (scaled * (1.f + squared) - 3.f * bend);
+    const Lanes byStretch = -blackSide * (scaled * (1.f + squared) - 3.f * bend) - growth * perSigma;
     for (std::size_t k = 0; k < 2; ++k) {
       slope.byElongation[k] = byStretch * curvature.stretched[k];
     }
-    slope.byGrowth = Lanes::Constant(perSigma);
     slope.bySpread = perSigma * curvature.perGradient;
   }
 }

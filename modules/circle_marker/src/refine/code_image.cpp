@@ -113,13 +113,13 @@ bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, cons
         continue;
       }
       const Eigen::Vector2d offset = (p - frame.center) / frame.size;
-      const double light = photometry.light + photometry.lightGradient.dot(offset);
-      const double contrast = light * photometry.contrast;
+      const double light = photometry.whiteAt(offset);
+      const double contrast = light * photometry.contrast();
       const double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
       if ((light > brightest && grey > brightest) || contrast <= 0.) {
         return false;
       }
-      track.pixels.push_back({point, rims, (light - grey) / contrast - ringAt(layout, point)});
+      track.pixels.push_back({point, rims, photometry.blackOf(grey / light) - ringAt(layout, point)});
       squaredContrast += contrast * contrast;
     }
   }

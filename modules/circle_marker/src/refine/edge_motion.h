@@ -94,13 +94,12 @@ private:
     darkness.byTwist[5] += byX * y - byY * x;
   }
 
-  // What blur and growth of black change by the distance of an edge.
+  // What blur and spread of ink change by the distance of an edge.
   static void addBlur(const SlopeLanes &slope, const Lanes &weight, DarknessLanes &darkness)
   {
     darkness.bySigma += weight * slope.bySigma;
     darkness.byElongation[0] += weight * slope.byElongation[0];
     darkness.byElongation[1] += weight * slope.byElongation[1];
-    darkness.byGrowth += weight * slope.byGrowth;
     darkness.bySpread += weight * slope.bySpread;
   }
 

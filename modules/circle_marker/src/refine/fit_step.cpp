@@ -30,14 +30,26 @@ namespace {
 // The blur stays between that of the pixel's own area and one that no marker is recognised through, pixels.
 constexpr double leastSigma = 0.29;
 constexpr double mostSigma = 20.;
+// Cameras' gamma lies between 0.4 and 2.4; here, its logarithm.
+constexpr double mostLogGamma = 1.2;
 // What a shadow leaves of the light, and the softness of its edge, in units of the marker's size.
 constexpr double leastFactor = 0.02;
 constexpr double mostFactor = 1.;
 constexpr double leastSoftness = 0.003;
 constexpr double mostSoftness = 1.;
-// Light, contrast and blur that have changed by less than this share are the same to the matrix of a pass: by as much
-// it is wrong.
+// Light, ink, gamma and blur that have changed by less than this share are the same to the matrix of a pass: by as
+// much it is wrong.
 constexpr double nearLight = 0.01;
+
+// A share of the light after a step, and one of the logarithm of gamma: the grey level, not the light, is what the
+// image tells, so share^gamma changes by what the step says to first order, and gamma alone leaves it as it is.
+double shareAfter(double share, double step, double bend)
+{
+  if (share <= leastLight) {
+    return share + step;
+  }
+  return std::pow(share, std::exp(-bend)) + step + share * std::log(share) * bend;
+}
 } // namespace
 
 ParameterVector solveEquations(const ParameterMatrix &matrix, const ParameterVector &right, Eigen::Index used)
@@ -55,19 +67,21 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   if (angle > 0.) {
     plane.rotation = plane.rotation * Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
   }
+  const double logGamma = std::clamp(photometry.logGamma + step[gammaAt], -mostLogGamma, mostLogGamma);
+  const double bend = logGamma - photometry.logGamma;
+  photometry.logGamma = logGamma;
   photometry.light += step[lightAt];
-  photometry.lightGradient += step.segment<2>(gradientAt);
-  photometry.contrast += step[contrastAt];
+  photometry.lightGradient = (std::exp(-bend) + bend) * photometry.lightGradient + step.segment<2>(gradientAt);
+  photometry.absorption = 1. - shareAfter(1. - photometry.absorption, -step[absorptionAt], bend);
   photometry.blur.sigma = std::clamp(photometry.blur.sigma + step[sigmaAt], leastSigma, mostSigma);
   photometry.blur.elongate(step.segment<2>(elongationAt));
-  photometry.blur.growth += step[growthAt];
   photometry.blur.spread += step[spreadAt];
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     photometry.surround[shape] += step[surroundAt + static_cast<int>(shape)];
   }
   if (photometry.shadow) {
     Shadow &shadow = *photometry.shadow;
-    shadow.factor = std::clamp(shadow.factor + step[shadowAt], leastFactor, mostFactor);
+    shadow.factor = std::clamp(shareAfter(shadow.factor, step[shadowAt], bend), leastFactor, mostFactor);
     shadow.direction += step[shadowAt + 1];
     shadow.edge += step[shadowAt + 2];
     shadow.softness = std::clamp(shadow.softness + step[shadowAt + 3], leastSoftness, mostSoftness);
@@ -76,7 +90,8 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
 
 bool isAlike(const Photometry &p, const Photometry &q)
 {
-  return std::abs(p.light - q.light) < nearLight * p.light && std::abs(p.contrast - q.contrast) < nearLight &&
+  return std::abs(p.light - q.light) < nearLight * p.light && std::abs(p.absorption - q.absorption) < nearLight &&
+         std::abs(p.logGamma - q.logGamma) < nearLight &&
          std::abs(p.blur.sigma - q.blur.sigma) < nearLight * p.blur.sigma;
 }
 
@@ -87,7 +102,7 @@ bool isVisible(const MarkerPlane &plane)
 
 bool isPrint(const Photometry &photometry)
 {
-  return photometry.light > 0. && photometry.contrast > 0.;
+  return photometry.light > 0. && photometry.absorption > 0.;
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

@@ -55,7 +55,7 @@ struct FitSettings
   bool spinIsKnown = true; //!< Whether the code fixes the spin: else it stays as it is.
   std::optional<Shadow>
       shadow;              //!< Where a fit without photometry starts with the shadow on the marker, if there is one.
-  bool growth = true;      //!< Whether black may be larger than designed.
+  bool growth = true;      //!< Whether black may look larger than designed, by ink or gamma.
   bool exactBends = true;  //!< Whether edges that bend strongly are corrected (correctBends()).
   double poseError = 1.;   //!< How far a fit may go until its pixels are sorted anew, pixels.
   int bordersSeen = 5;     //!< Borders between sectors that a pixel may see at most: 1, 3 or 5.

@@ -96,11 +96,11 @@ inline ShadowLanes shadowOf(const PixelBlock &block, const Shadow &shadow)
   return lanes;
 }
 
-// The light on white paper without a shadow.
+// The light without a shadow, in units of that at the marker's centre.
 inline Lanes lightOf(const PixelBlock &block, const Photometry &photometry)
 {
-  return static_cast<float>(photometry.light) + static_cast<float>(photometry.lightGradient.x()) * block.offsetU +
-         static_cast<float>(photometry.lightGradient.y()) * block.offsetV;
+  const Eigen::Vector2f gradient = photometry.lightGradient.cast<float>();
+  return (1.f + gradient.x() * block.offsetU + gradient.y() * block.offsetV).max(static_cast<float>(leastLight));
 }
 
 // Where the sensor's grey levels end: a pixel that should be brighter than this is this bright.
@@ -109,31 +109,39 @@ constexpr float brightest = 255.f;
 // The grey levels of a block as the model has them.
 struct GreyLanes
 {
-  Lanes light;
-  Lanes reflectance;
-  Lanes paper; // share of what does not lie beyond the quiet zone
+  Lanes logLight;       // logarithm of the light, in units of that at the marker's centre
+  Lanes reflectance;    // share of it that the print leaves
+  Lanes logReflectance; // and its logarithm
+  Lanes white;          // grey level of white paper
+  Lanes print;          // and of the print, in units of that
+  Lanes paper;          // share of what does not lie beyond the quiet zone
   Lanes residual;
   Lanes tells;        // 0 where the model is brighter than what the sensor can tell, else 1
   bool isCut = false; // whether it is so anywhere in the block
 };
 
-// surround: what the block sees of it; nullptr if nothing.
+// darkness: share of black that each pixel sees; surround: what the block sees of it; nullptr if nothing.
 inline GreyLanes greyOf(const PixelBlock &block, const SurroundLanes *surround, const Photometry &photometry,
                         const Lanes &darkness)
 {
   GreyLanes grey;
-  grey.light = lightOf(block, photometry);
+  const auto gamma = static_cast<float>(photometry.gamma());
+  Lanes light = lightOf(block, photometry);
   if (photometry.shadow) {
-    grey.light = grey.light * shadowOf(block, *photometry.shadow).value;
+    light = light * shadowOf(block, *photometry.shadow).value;
   }
-  grey.reflectance = 1.f - static_cast<float>(photometry.contrast) * darkness;
-  grey.residual = block.grey - grey.light * grey.reflectance;
+  grey.logLight = light.log();
+  grey.white = static_cast<float>(photometry.light) * (gamma * grey.logLight).exp();
+  grey.reflectance = (1.f - static_cast<float>(photometry.absorption) * darkness).max(static_cast<float>(leastLight));
+  grey.logReflectance = grey.reflectance.log();
+  grey.print = (gamma * grey.logReflectance).exp();
+  grey.residual = block.grey - grey.white * grey.print;
   grey.paper.setOnes();
   if (surround != nullptr) {
     for (std::size_t shape = 0; shape < paperShapes; ++shape) {
       const Lanes share = static_cast<float>(photometry.surround[shape]) * surround->share[shape];
       grey.paper -= share;
-      grey.residual -= share * (surround->beyond[shape] - grey.light);
+      grey.residual -= share * (surround->beyond[shape] - grey.white);
     }
   }
   // Over-exposed paper: more light would make no difference.
@@ -151,31 +159,35 @@ using RowLanes = std::array<Lanes, parameters>;
 inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const Photometry &photometry,
                   const DarknessLanes &darkness, const GreyLanes &grey, RowLanes &row)
 {
-  const Lanes byDarkness = -static_cast<float>(photometry.contrast) * grey.light;
+  const auto gamma = static_cast<float>(photometry.gamma());
+  const Lanes byLogReflectance = gamma * grey.white * grey.print;
+  const Lanes byReflectance = byLogReflectance * grey.reflectance.inverse();
+  const Lanes byDarkness = -static_cast<float>(photometry.absorption) * byReflectance;
   for (std::size_t k = 0; k < poseSize; ++k) {
     row[k] = byDarkness * darkness.byTwist[k];
   }
-  Lanes byLight = grey.reflectance + grey.paper - 1.f;
+  const Lanes byLogWhite = (grey.print + grey.paper - 1.f) * grey.white;
+  const Lanes byLogLight = gamma * byLogWhite;
   if (photometry.shadow) {
     const ShadowLanes shadow = shadowOf(block, *photometry.shadow);
-    const Lanes byShadow = byLight * lightOf(block, photometry);
+    const Lanes byShadow = byLogLight * shadow.value.inverse();
     for (std::size_t k = 0; k < shadowSize; ++k) {
       row[shadowAt + k] = byShadow * shadow.by[k];
     }
-    byLight = byLight * shadow.value;
   }
-  row[lightAt] = byLight;
+  row[lightAt] = static_cast<float>(1. / photometry.light) * byLogWhite;
+  const Lanes byLight = byLogLight * lightOf(block, photometry).inverse();
   row[gradientAt] = byLight * block.offsetU;
   row[gradientAt + 1] = byLight * block.offsetV;
-  row[contrastAt] = -grey.light * darkness.value;
+  row[absorptionAt] = -byReflectance * darkness.value;
+  row[gammaAt] = byLogReflectance * grey.logReflectance + byLogLight * grey.logLight;
   row[sigmaAt] = byDarkness * darkness.bySigma;
   row[elongationAt] = byDarkness * darkness.byElongation[0];
   row[elongationAt + 1] = byDarkness * darkness.byElongation[1];
-  row[growthAt] = byDarkness * darkness.byGrowth;
   row[spreadAt] = byDarkness * darkness.bySpread;
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     if (surround != nullptr) {
-      row[surroundAt + shape] = surround->share[shape] * (surround->beyond[shape] - grey.light);
+      row[surroundAt + shape] = surround->share[shape] * (surround->beyond[shape] - grey.white);
     }
     else {
       row[surroundAt + shape].setZero();

@@ -45,7 +45,6 @@ void start(DarknessLanes &darkness)
   darkness.bySigma.setZero();
   darkness.byElongation[0].setZero();
   darkness.byElongation[1].setZero();
-  darkness.byGrowth.setZero();
   darkness.bySpread.setZero();
 }
 
@@ -76,7 +75,6 @@ ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, c
   m_cosSector = static_cast<float>(std::cos(sectorAngle));
   m_sinSector = static_cast<float>(std::sin(sectorAngle));
   m_sigma = static_cast<float>(blur.sigma);
-  m_growth = static_cast<float>(blur.growth);
   m_spread = static_cast<float>(blur.spread);
   // Circle and radius meet in the image at the angle whose cosine is at most (1 - k^2) / (1 + k^2), k the cosine of the
   // tilt.
@@ -102,7 +100,7 @@ void ImageModel::seeBorder(const PlaneLanes &p, const CurvatureLanes &curvature,
     code += change * (1e30f * distance).max(0.f).min(1.f);
     return;
   }
-  const Lanes standardised = distance + perSigma * change * (m_growth + m_spread * perGradient);
+  const Lanes standardised = distance + perSigma * m_spread * change * perGradient;
   const NormalLanes normal = normalOf(standardised);
   code += change * normal.cumulative;
   Lanes byDistance = change * normal.density * band; // of the share of black
@@ -138,10 +136,9 @@ void ImageModel::seeBorder(const PlaneLanes &p, const CurvatureLanes &curvature,
     slope.bySigma = -perSigma * standardised;
     stretchOf(gu, gv, perGradient, slope.byElongation);
     for (Lanes &byElongation : slope.byElongation) {
-      byElongation *= -distance;
+      byElongation *= -standardised;
     }
-    slope.byGrowth = perSigma * change;
-    slope.bySpread = slope.byGrowth * perGradient;
+    slope.bySpread = perSigma * change * perGradient;
     const EdgeMotion motion(m_cx, m_cy, m_perDepth);
     motion.addStraight(slope, byDistance, result);
     if (hasCorners) {
@@ -159,7 +156,7 @@ void ImageModel::evaluateAs(const PixelBlock &block, Result &result) const
   m_homography.apply(block.place, p);
   curvatureOf(p, curvature);
   start(result);
-  const Lanes growth = m_growth + m_spread * curvature.perGradient; // pixels
+  const Lanes growth = m_spread * curvature.perGradient; // pixels
   const auto count = [&](const EdgeLanes &edge, const Lanes &weight) {
     if constexpr (hasSlopes) {
       if (edge.isSeen) {
@@ -262,7 +259,6 @@ Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const Mar
     darkness.byPose << plane.rotation * translation / plane.radius, plane.rotation * turn;
     darkness.bySigma = lanes.bySigma[0];
     darkness.byElongation << lanes.byElongation[0][0], lanes.byElongation[1][0];
-    darkness.byGrowth = lanes.byGrowth[0];
     darkness.bySpread = lanes.bySpread[0];
   }
   return darkness;

@@ -57,7 +57,6 @@ struct SlopeLanes
   Lanes byX, byY;             //!< By the motion of the pixels' ray on the plane there.
   Lanes bySigma;              //!< 1 / pixel.
   Lanes byElongation[2];      //!< By a step of BlurParameters::elongate().
-  Lanes byGrowth;             //!< 1 / pixel.
   Lanes bySpread;             //!< 1 / radius.
   Lanes gradientU, gradientV; //!< Of a circle: unit vector in the image from its centre outward there.
   Lanes perGradient;          //!< And 1 / length of the radius' gradient, pixels.
@@ -87,7 +86,6 @@ struct DarknessLanes
   Lanes byTwist[6];      //!< By the twist in the marker's frame: three translations in radii, three turns in rad.
   Lanes bySigma;         //!< 1 / pixel.
   Lanes byElongation[2]; //!< By a step of BlurParameters::elongate(), without what the bend at corners does.
-  Lanes byGrowth;        //!< 1 / pixel.
   Lanes bySpread;        //!< 1 / radius.
 };
 
@@ -121,7 +119,7 @@ private:
   float m_ring[2];                // radii of the ring's edges; a disc's inner one is far below 0
   float m_track[2];               // radii of the track's rims
   float m_cosSector, m_sinSector; // of a sector's angle
-  float m_sigma, m_growth;        // blur, pixels
+  float m_sigma;                  // blur, pixels
   float m_spread;                 // radii
   int m_borders;                  // seen by a pixel; 0 without a code
   int m_cornerTerms;              // of the tetrachoric series
@@ -135,7 +133,6 @@ struct Darkness
   Eigen::Matrix<double, 6, 1> byPose = Eigen::Matrix<double, 6, 1>::Zero();
   double bySigma = 0.;                                    //!< 1 / pixel.
   Eigen::Vector2d byElongation = Eigen::Vector2d::Zero(); //!< By a step of BlurParameters::elongate().
-  double byGrowth = 0.;                                   //!< 1 / pixel.
   double bySpread = 0.;                                   //!< 1 / radius.
 };
 

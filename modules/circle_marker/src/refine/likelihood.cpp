@@ -33,8 +33,8 @@ inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // A print that stands out by less than this, grey levels, is none; rounding alone never gives as much.
 constexpr double leastContrast = 0.5;
-// Black grows by no more than this, pixels, and is expected to grow by none to this standard deviation.
-constexpr double growthPrior = 0.3;
+// Cameras are linear, or have a gamma of 0.45 or 2.2: by its logarithm, 0.8 to either side.
+constexpr double gammaPrior = 0.5;
 // Ink spreads by some 0.1 mm, radii of markers are some 30 to 100 mm.
 constexpr double spreadPrior = 0.003;
 // Most pictures are not moved; those that are have blurs longer by any amount. So the prior of the elongation is
@@ -162,8 +162,8 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
     return false;
   }
   photometry.light = solution[0];
-  photometry.lightGradient = solution.segment<2>(1);
-  photometry.contrast = std::min(solution[3] / solution[0], 1.);
+  photometry.lightGradient = solution.segment<2>(1) / solution[0];
+  photometry.absorption = std::min(solution[3] / solution[0], 1.);
   return true;
 }
 
@@ -231,10 +231,10 @@ void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry
 
 double Likelihood::priorCost(const Photometry &photometry, double noise) const
 {
-  const double u = m_settings.growth ? photometry.blur.growth / growthPrior : 0.;
+  const double u = m_settings.growth ? photometry.logGamma / gammaPrior : 0.;
   const double v = m_settings.growth ? photometry.blur.spread / spreadPrior : 0.;
   double cost = u * u + v * v + cauchyCost(photometry.blur.elongation, elongationPrior) +
-                cauchyCost(photometry.lightGradient, gradientPrior * photometry.light);
+                cauchyCost(photometry.lightGradient, gradientPrior);
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     const double s = (photometry.surround[shape] - expectedSurround[shape]) / surroundPrior;
     cost += s * s;
@@ -242,7 +242,7 @@ double Likelihood::priorCost(const Photometry &photometry, double noise) const
   return noise * noise * cost;
 }
 
-// Prior on the growth of black; parameters that are not fitted are taken out of the equations, and a 1 on the diagonal
+// Priors on gamma and spread; parameters that are not fitted are taken out of the equations, and a 1 on the diagonal
 // keeps these solvable.
 void Likelihood::constrain(const Photometry &photometry, double noise, Equations &equations) const
 {
@@ -254,7 +254,7 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
   }
   equations.cost += priorCost(photometry, noise);
   addCauchy(photometry.blur.elongation, elongationPrior, noise, elongationAt, equations);
-  addCauchy(photometry.lightGradient, gradientPrior * photometry.light, noise, gradientAt, equations);
+  addCauchy(photometry.lightGradient, gradientPrior, noise, gradientAt, equations);
   const auto hold = [&equations](int at) {
     equations.matrix.row(at).setZero();
     equations.matrix.col(at).setZero();
@@ -262,15 +262,15 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
     equations.right[at] = 0.;
   };
   if (m_settings.growth) {
-    const double weight = noise * noise / (growthPrior * growthPrior);
-    equations.matrix(growthAt, growthAt) += weight;
-    equations.right[growthAt] -= weight * photometry.blur.growth;
+    const double weight = noise * noise / (gammaPrior * gammaPrior);
+    equations.matrix(gammaAt, gammaAt) += weight;
+    equations.right[gammaAt] -= weight * photometry.logGamma;
     const double weightOfSpread = noise * noise / (spreadPrior * spreadPrior);
     equations.matrix(spreadAt, spreadAt) += weightOfSpread;
     equations.right[spreadAt] -= weightOfSpread * photometry.blur.spread;
   }
   else {
-    hold(growthAt);
+    hold(gammaAt);
     hold(spreadAt);
   }
   if (!m_settings.spinIsKnown) {

@@ -89,8 +89,7 @@ LineModel::LineModel(const MarkerPlane &plane, const MarkerPattern &pattern, con
                                                                ? static_cast<float>(pattern.ring[1].radius)
                                                                : 0.f},
       m_track{static_cast<float>(pattern.track[0].radius), static_cast<float>(pattern.track[1].radius)},
-      m_perSigma(static_cast<float>(1. / blur.sigma)), m_growth(static_cast<float>(blur.growth)),
-      m_spread(static_cast<float>(blur.spread))
+      m_perSigma(static_cast<float>(1. / blur.sigma)), m_spread(static_cast<float>(blur.spread))
 {
   const int sectors = static_cast<int>(pattern.sectors);
   if (sectors > 0) {
@@ -166,7 +165,7 @@ Lanes LineModel::trackAlong(const Line &line) const
     const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
     const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
     const Lanes cosine = (gu * line.u + gv * line.v).abs() * perGradient;
-    const Lanes growth = m_perSigma * (m_growth + m_spread * perGradient);
+    const Lanes growth = m_perSigma * m_spread * perGradient;
     const Lanes grown = at - border.change * sense * growth / cosine.max(leastCosine);
     Lanes before;
     if (((grown.abs() - farFromCrossing) * change.abs()).minCoeff() >= 0.f) {
@@ -208,8 +207,7 @@ Lanes LineModel::darkness(const PixelBlock &block, PixelSight sight) const
   line.point = &p;
   line.u = u;
   line.v = v;
-  line.rimGrowth =
-      m_perSigma * (m_growth + m_spread * perGradient) / ((p.gradientU * u + p.gradientV * v) * perGradient);
+  line.rimGrowth = m_perSigma * m_spread * perGradient / ((p.gradientU * u + p.gradientV * v) * perGradient);
   const float sigma = 1.f / m_perSigma;
   const DirectionLanes along = m_homography.along(block.place, sigma * u, sigma * v);
   const DirectionLanes across = m_homography.along(block.place, -sigma * v, sigma * u);

@@ -74,7 +74,7 @@ private:
   std::array<Border, 31> m_borders;
   std::size_t m_borderCount = 0;
   float m_first = 0.f; // 1 if the sector that ends at the full turn is black
-  float m_perSigma, m_growth, m_spread;
+  float m_perSigma, m_spread;
 };
 
 /*!

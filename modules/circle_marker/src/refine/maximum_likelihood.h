@@ -20,13 +20,13 @@
   \brief Maximum-likelihood pose of a marker from the grey levels around its edges.
 
   The grey level of a pixel is modelled as
-  \f[ I = L \, (1 - \kappa D), \quad L = l_0 + l_u u + l_v v, \f]
-  with D the share of black (image_model.h), L the light on white paper, with a linear gradient, and \f$ \kappa \f$ the
-  contrast of the ink; where the edge of a shadow falls on the marker, L falls along it. Pose, light, contrast, blur and
-  a growth of black common to all edges, in the image (gamma) and on the print (ink), are fitted together by
-  Levenberg-Marquardt; what the model does not explain, such as an occluder, gets no weight (Tukey's biweight). The
-  noise is taken from the residuals, so that the covariance is right for any camera: \f$ \Sigma = s^2 (J^T W J)^{-1}
-  \f$, its rows and columns of the pose.
+  \f[ I = l \, (s \, (1 - a D))^\gamma, \quad s = 1 + s_u u + s_v v, \f]
+  with D the share of black (image_model.h), l the grey level of white paper at the marker's centre, s the light, with a
+  linear gradient, a the share of it that ink takes and \f$ \gamma \f$ the camera's gamma; where the edge of a shadow
+  falls on the marker, s falls along it. Pose, light, ink, gamma, blur and a spread of the ink common to all edges are
+  fitted together by Levenberg-Marquardt; what the model does not explain, such as an occluder, gets no weight (Tukey's
+  biweight). The noise is taken from the residuals, so that the covariance is right for any camera: \f$ \Sigma = s^2
+  (J^T W J)^{-1} \f$, its rows and columns of the pose.
 */
 
 #ifndef VP_CIRCLE_MARKER_MAXIMUM_LIKELIHOOD_H
@@ -45,16 +45,17 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 // Places of the parameters in vectors and matrices: twist of the pose (image_model.h), light and its gradient,
-// contrast, blur, its elongation, growth, spread, share of the surround for each shape of the paper, a shadow's factor,
-// direction, edge and softness. Where no pixel depends on the last of them only those before are worked on.
+// the ink's absorption, blur, its elongation, gamma, spread, share of the surround for each shape of the paper, a
+// shadow's factor, direction, edge and softness. Where no pixel depends on the last of them only those before are
+// worked on.
 constexpr int poseSize = 6;
 constexpr int spinAt = 5;
 constexpr int lightAt = 6;
 constexpr int gradientAt = 7;
-constexpr int contrastAt = 9;
+constexpr int absorptionAt = 9;
 constexpr int sigmaAt = 10;
 constexpr int elongationAt = 11;
-constexpr int growthAt = 13;
+constexpr int gammaAt = 13; // its logarithm
 constexpr int spreadAt = 14;
 constexpr int surroundAt = 15;
 constexpr int shadowAt = surroundAt + static_cast<int>(paperShapes);

@@ -40,9 +40,8 @@ constexpr double leastInliers = 0.5;
 constexpr double manyPixels = 20000.;
 // How far the fits on all pixels may go from the coarse ones until their pixels are sorted anew, pixels.
 constexpr double fineError = 0.6;
-// Black that has grown by more than this on each side, pixels, three times what is expected of it at most, is another
-// ring.
-constexpr double mostGrowth = 0.9;
+// A ring whose edges are explained only by a gamma beyond that of cameras is another ring; here, its logarithm.
+constexpr double mostLogGamma = 1.;
 // Of markers below this radius, pixels, both poses are refined: all pixels cost little more than the few, and a coarse
 // fit that was stuck made the right pose of some markers of 16 pixels hopeless.
 constexpr double leastHopelessSize = 20.;
@@ -52,7 +51,7 @@ constexpr double leastHopelessSize = 20.;
 bool isRightRing(const RankedFits &ranked)
 {
   return !ranked.fits.empty() && ranked.fits[0].correlation >= leastCorrelationWithoutCode &&
-         std::abs(ranked.fits[0].photometry.blur.growth) < mostGrowth;
+         std::abs(ranked.fits[0].photometry.logGamma) < mostLogGamma;
 }
 // The coarse fits; of the ring as designed, or else as it was seen: then the pattern is that of it.
 RankedFits fitCoarsely(const MarkerInImage &view, bool refine, const FitSettings &settings, MarkerPattern &pattern,

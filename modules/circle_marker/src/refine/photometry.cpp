@@ -17,6 +17,8 @@
 
 #include "refine/photometry.h"
 
+#include <algorithm>
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
@@ -48,6 +50,21 @@ void BlurParameters::elongate(const Eigen::Vector2d &step)
 {
   const Eigen::Matrix2d before = shape();
   elongation = 0.5 * logarithm(before * exponential(2. * step) * before);
+}
+
+double Photometry::contrast() const
+{
+  return absorption < 1. ? 1. - std::pow(1. - absorption, gamma()) : absorption;
+}
+
+double Photometry::whiteAt(const Eigen::Vector2d &offset) const
+{
+  return light * std::pow(std::max(1. + lightGradient.dot(offset), leastLight), gamma());
+}
+
+double Photometry::blackOf(double grey) const
+{
+  return (1. - std::pow(std::max(grey, 0.), 1. / gamma())) / absorption;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

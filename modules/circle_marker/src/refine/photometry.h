@@ -29,7 +29,7 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  How the camera, its motion and the ink soften and shift edges. The blur is taken for a Gaussian of covariance
+  How lens, pixels, motion and ink soften and shift edges. The blur is taken for a Gaussian of covariance
   sigma^2 S^2 pixels^2, with S = exp((a, b; b, -a)) for the elongation (a, b): motion makes it longer in one direction.
 */
 struct BlurParameters
@@ -46,9 +46,11 @@ struct BlurParameters
   double sigma =
       0.8; //!< Standard deviation of lens blur and pixel area together, geometric mean over directions, pixels.
   Eigen::Vector2d elongation = Eigen::Vector2d::Zero(); //!< (a, b) above.
-  double growth = 0.; //!< Distance by which every black region looks larger than designed, pixels: the camera's gamma.
-  double spread = 0.; //!< And by which it is printed larger, outer radii: the ink's spread.
+  double spread = 0.; //!< Distance by which every black region is printed larger, outer radii: the ink's spread.
 };
+
+/*! Ink, and the light's gradient, leave no less than this share of the light: no sensor tells less from none. */
+constexpr double leastLight = 1e-3;
 
 /*! A shadow with a straight, soft edge that falls on a marker: as vpSceneShadow's, in the coordinates of ImageFrame. */
 struct Shadow
@@ -59,12 +61,13 @@ struct Shadow
   double softness = 0.05; //!< Standard deviation of the edge's softness.
 };
 
-/*! Light, contrast and blur of a marker's image. */
+/*! Light, ink and blur of a marker's image, and the camera's gamma: grey levels are the light to that power. */
 struct Photometry
 {
-  double light = 200.;                                     //!< Grey level of white paper at the marker's centre.
-  Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero(); //!< Its change over the marker's size, grey levels.
-  double contrast = 0.8;                                   //!< 1 - black / white.
+  double light = 200.; //!< Grey level of white paper at the marker's centre, if no shadow fell on it.
+  Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero(); //!< Change of the light over the marker's size, share of it.
+  double absorption = 0.8;                                 //!< Share of the light that ink takes.
+  double logGamma = 0.;                                    //!< Logarithm of gamma.
   //! How much of what may lie beyond the quiet zone does, for each shape that the paper may have (PaperShape): 1 if it
   //! ends there, 0 if it goes on.
   std::array<double, paperShapes> surround = {{0.25, 0.5}};
@@ -75,6 +78,17 @@ struct Photometry
   double endError = 0.2;
   std::optional<Shadow> shadow; //!< A shadow that multiplies the light; nothing: none falls on the marker.
   BlurParameters blur;
+
+  double gamma() const { return std::exp(logGamma); }
+
+  /*! 1 - black / white, of the grey levels. */
+  double contrast() const;
+
+  /*! Grey level of white paper without a shadow at a place in the coordinates of ImageFrame. */
+  double whiteAt(const Eigen::Vector2d &offset) const;
+
+  /*! Share of black that a pixel sees, by its grey level over that of white. */
+  double blackOf(double grey) const;
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -52,7 +52,7 @@ int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, const Bl
 void putSurround(const FitPixel &pixel, const PlanePoint &point, const PaperEnds &papers, const Photometry &photometry,
                  double noise, Eigen::Index lane, SurroundLanes &surround, PixelBlock &block)
 {
-  const double light = photometry.light + photometry.lightGradient.dot(pixel.offset.cast<double>());
+  const double light = photometry.whiteAt(pixel.offset.cast<double>());
   double variance = 0.;
   double most = 0.;
   double byEnd = 0.; // change of the grey level by where the paper ends

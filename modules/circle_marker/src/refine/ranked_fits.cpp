@@ -28,8 +28,9 @@ namespace circle_marker {
 namespace {
 // Two fits closer than this, in standard deviations, are one pose.
 constexpr double samePose = 0.3;
-// Difference of the blur, or of the growth of black, between two fits at their minimum, pixels.
+// Difference of the blur, pixels, or of the logarithm of gamma, between two fits at their minimum.
 constexpr double sameLight = 0.03;
+constexpr double sameGamma = 0.06;
 // A pose whose log-odds against are beyond this on few pixels is not refined any further.
 constexpr double hopelessOdds = 30.;
 // And a fit that is so far behind another one, and does not catch up, is not taken to its end; if there is a code:
@@ -131,7 +132,7 @@ void keepTwo(RankedFits &ranked)
 
 bool isSameLight(const Photometry &p, const Photometry &q)
 {
-  return std::max(std::abs(p.blur.sigma - q.blur.sigma), std::abs(p.blur.growth - q.blur.growth)) < sameLight;
+  return std::abs(p.blur.sigma - q.blur.sigma) < sameLight && std::abs(p.logGamma - q.logGamma) < sameGamma;
 }
 
 bool isHopeless(const FittedPose &fit, const FittedPose &best, double noise)
