@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include "refine/grey_model.h"
@@ -74,11 +75,18 @@ Part<fitted> partOf(const ProductSums &products, const PullSums &pulls, const In
           information(0, 0) > 0.};
 }
 
-// By how much the parts together move the pose more than independent noise would; 1 if that is within chance.
+// By how much the parts together move the pose more than independent noise would.
+template <int fitted> struct Excess
+{
+  double ratio = 1.; // mean over the pose's parameters; 1 if that is within chance
+  // The parts' covariance of the pose, with noise of variance 1 if it were independent.
+  Eigen::Matrix<double, fitted, fitted> covariance = Eigen::Matrix<double, fitted, fitted>::Zero();
+};
+
 // known: inverse of the covariance of the pose with independent noise of variance 1.
 template <int fitted>
-double excessOf(const Parts<fitted> &parts, std::size_t count, const Eigen::Matrix<double, fitted, fitted> &known,
-                double noise)
+Excess<fitted> excessOf(const Parts<fitted> &parts, std::size_t count,
+                        const Eigen::Matrix<double, fitted, fitted> &known, double noise)
 {
   using PoseMatrix = Eigen::Matrix<double, fitted, fitted>;
   PoseMatrix moved = PoseMatrix::Zero();
@@ -92,17 +100,17 @@ double excessOf(const Parts<fitted> &parts, std::size_t count, const Eigen::Matr
     seen += part.isSeen ? 1 : 0;
   }
   if (static_cast<double>(seen) < leastParts * static_cast<double>(count)) {
-    return 1.;
+    return {};
   }
   // The motions' sum is 0 after the fit, which takes a little away; the share of each part in what is known tells how
   // much that is, and how much the ratio varies by chance.
-  const double expected = pullOfNoise * noise * noise * (1. - squaredShares) * fitted;
-  const double ratio = known.cwiseProduct(moved).sum() / expected; // trace of the product
+  const PoseMatrix covariance = moved / (pullOfNoise * noise * noise * (1. - squaredShares));
+  const double ratio = known.cwiseProduct(covariance).sum() / fitted; // trace of the product
   // By chance it is distributed as chi^2 / n, whose variance is 2 / n; its quantile by Wilson and Hilferty (Proceedings
   // of the National Academy of Sciences 17, 1931).
   const double perFreedom = 2. / 9. * squaredShares / fitted;
   const double mostByChance = std::pow(1. - perFreedom + clearOfChance * std::sqrt(perFreedom), 3.);
-  return ratio > mostByChance ? ratio : 1.;
+  return ratio > mostByChance ? Excess<fitted>{ratio, covariance} : Excess<fitted>();
 }
 
 // The first of the parts become each one with the one that follows it.
@@ -114,9 +122,21 @@ template <int fitted> void takeTogether(Parts<fitted> &parts, std::size_t count)
   }
 }
 
+// The covariance widened: by the mean ratio, and in the directions in which the parts move the pose more than that, by
+// as much as they do there. Where they move it less they are too few to tell.
 template <int fitted>
-double coherenceOf(const PassSums &sums, const ParameterMatrix &inverse, const ParameterVector &step, double noise,
-                   int used)
+Eigen::Matrix<double, fitted, fitted> widened(const Eigen::Matrix<double, fitted, fitted> &covariance,
+                                              const Excess<fitted> &excess)
+{
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, fitted, fitted>> solver(excess.covariance,
+                                                                                               covariance);
+  const Eigen::Matrix<double, fitted, fitted> axes = covariance * solver.eigenvectors();
+  return axes * solver.eigenvalues().cwiseMax(excess.ratio).asDiagonal() * axes.transpose();
+}
+
+template <int fitted>
+Eigen::Matrix<double, poseSize, poseSize> coherentCovarianceOf(const PassSums &sums, const ParameterMatrix &inverse,
+                                                               const ParameterVector &step, double noise, int used)
 {
   const Influence<fitted> influence = inverse.topRows<fitted>();
   const Eigen::Matrix<double, fitted, fitted> known = inverse.topLeftCorner<fitted, fitted>().inverse();
@@ -126,20 +146,28 @@ double coherenceOf(const PassSums &sums, const ParameterMatrix &inverse, const P
     parts[k] = partOf<fitted>(sums.products[k], sums.pulls[k], influence, step, used);
   }
   std::size_t count = directions;
-  double largest = excessOf<fitted>(parts, count, known, noise);
+  Excess<fitted> largest = excessOf<fitted>(parts, count, known, noise);
   while (count > leastCount) {
     takeTogether<fitted>(parts, count);
     count /= 2;
-    largest = std::max(largest, excessOf<fitted>(parts, count, known, noise));
+    const Excess<fitted> excess = excessOf<fitted>(parts, count, known, noise);
+    largest = excess.ratio > largest.ratio ? excess : largest;
   }
-  return largest;
+  Eigen::Matrix<double, poseSize, poseSize> covariance = inverse.topLeftCorner<poseSize, poseSize>();
+  if (largest.ratio > 1.) {
+    covariance.topLeftCorner(fitted, fitted) =
+        widened<fitted>(covariance.template topLeftCorner<fitted, fitted>(), largest);
+  }
+  return covariance;
 }
 } // namespace
 
-double Likelihood::coherence(const ParameterMatrix &inverse, const ParameterVector &step, double noise, int used) const
+Eigen::Matrix<double, poseSize, poseSize> Likelihood::coherentCovariance(const ParameterMatrix &inverse,
+                                                                         const ParameterVector &step, double noise,
+                                                                         int used) const
 {
-  return m_settings.spinIsKnown ? coherenceOf<poseSize>(m_memory.sums, inverse, step, noise, used)
-                                : coherenceOf<spinAt>(m_memory.sums, inverse, step, noise, used);
+  return m_settings.spinIsKnown ? coherentCovarianceOf<poseSize>(m_memory.sums, inverse, step, noise, used)
+                                : coherentCovarianceOf<spinAt>(m_memory.sums, inverse, step, noise, used);
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

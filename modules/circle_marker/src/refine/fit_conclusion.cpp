@@ -68,9 +68,11 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
     return false;
   }
   result.decrement = equations.right.dot(inverse * equations.right);
-  const double coherence = settings.exactBends ? fit.coherence(inverse, lastStep, noise, equations.used) : 1.;
-  Eigen::Matrix<double, 6, 6> covariance =
-      coherence * biweightCovariance * result.noise * result.noise * inverse.topLeftCorner<poseSize, poseSize>();
+  Eigen::Matrix<double, 6, 6> covariance = inverse.topLeftCorner<poseSize, poseSize>();
+  if (settings.exactBends) {
+    covariance = fit.coherentCovariance(inverse, lastStep, noise, equations.used);
+  }
+  covariance *= biweightCovariance * result.noise * result.noise;
   if (!settings.spinIsKnown) {
     covariance.row(spinAt).setZero();
     covariance.col(spinAt).setZero();

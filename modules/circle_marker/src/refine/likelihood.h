@@ -102,17 +102,18 @@ public:
   void keepResiduals();
 
   /*!
-    How much more the estimate varies than with independent noise, by what neighbouring pixels pull together: the mean
-    over the pose's parameters of the ratio of the sandwich covariance (White, Econometrica 48, 1980), with the
-    pixels of a direction from the centre taken together, and that of the normal equations. 1 if that is within
-    chance or the pixels are too few to tell; more if the print is bent, moved or lit in a way that the model does not
-    know.
+    Covariance of the pose if the noise had variance 1, by what neighbouring pixels pull together: that of the normal
+    equations, unless the sandwich covariance (White, Econometrica 48, 1980), with the pixels of a direction from the
+    centre taken together, is larger by more than chance. Then it is wider by the mean over the pose's parameters of the
+    ratio of both, and in the directions in which the sandwich is wider than that, by as much as that is: the print is
+    bent, moved or lit in a way that the model does not know.
     \param inverse : Of the matrix of the equations kept.
     \param step : Last step from where these were made.
     \param noise : Grey levels.
     \param used : Number of parameters, the first ones, that any pixel depends on.
   */
-  double coherence(const ParameterMatrix &inverse, const ParameterVector &step, double noise, int used) const;
+  Eigen::Matrix<double, poseSize, poseSize>
+  coherentCovariance(const ParameterMatrix &inverse, const ParameterVector &step, double noise, int used) const;
 
   /*! The residuals at a pose, without equations. */
   void evaluate(const MarkerPlane &plane, const Photometry &photometry);
