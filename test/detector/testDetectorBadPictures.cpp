@@ -236,11 +236,21 @@ TEST(DetectorBadPictures, StrongDefocusOfMoreSectors)
   expectFound(bch31r, defocus);
 }
 
-// A disc of 8 % of the diameter, which no Gaussian is, on a plain ring; it is a guess of the shape's error.
+// A disc of 8 % of the diameter, which no Gaussian is; the covariance bears a guess of the shape's error.
+void defocusALittle(Random &, double diameter, const vpImagePoint &, vpScenePhotometry &photometry, vpSceneMotion &)
+{
+  photometry.defocusRadius = 0.04 * diameter;
+}
+
 TEST(DetectorBadPictures, CovarianceOfDefocusedRings)
 {
-  expectCovariance(ring, [](Random &, double diameter, const vpImagePoint &, vpScenePhotometry &photometry,
-                            vpSceneMotion &) { photometry.defocusRadius = 0.04 * diameter; });
+  expectCovariance(ring, defocusALittle);
+}
+
+TEST(DetectorBadPictures, CovarianceOfDefocusedCodes)
+{
+  expectCovariance(golay23, defocusALittle);
+  expectCovariance(bch31r, defocusALittle);
 }
 
 TEST(DetectorBadPictures, CovarianceInStrongDefocus)

@@ -34,8 +34,8 @@ constexpr double shortSector = 1.4;
 // or no code will do.
 constexpr double leastCorrelationAtStart = 0.7;
 constexpr double leastCorrelationMeasured = 0.9;
-// Least odds against the next codeword, ln: one in 10^5 is wrong, if the pose is right.
-constexpr double leastOdds = 12.;
+// Least odds against the next codeword, ln: one in 10^6 is wrong, if the pose is right.
+constexpr double leastOdds = 14.;
 // Residuals of the best codeword, in units of what noise and model leave. Beyond the other odds, ln, they may be more:
 // of a track that is less than a pixel wide the model misses some hundredths of its contrast. And if the same code was
 // read sector by sector, more again: the phases that are tried are then the coarsest of what is seen.
@@ -49,7 +49,7 @@ constexpr double mostUnexplainedIfRead = 3.;
 constexpr double oddsAtAnyPose = 30.;
 constexpr double mostNoiseAtRightPose = 1.2;
 constexpr double rounding = 0.29; // noise of an image without any, grey levels
-constexpr double mostLacking = 0.006;
+constexpr double mostLacking = 0.003;
 // What is no marker, letters, rings of dots, a castle's window, may be near a codeword, but it is not what is printed:
 // it leaves 4 % of its contrast and more besides noise, and correlates by less than 0.98. True markers do by that in
 // noise of a twelfth of the contrast; then no more than the noise is left, to this factor, and the odds are clear.

@@ -208,8 +208,8 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
       scaleTo(sizeOf(marker, visit.size), *measurement->second);
     }
   }
-  if (settings.refinePose && !marker.family.isCoded()) {
-    widenByShapeOfBlur(m_outlines.full.gradient.noise, measurement->first);
+  if (settings.refinePose) {
+    widenByShapeOfBlur(m_outlines.full.gradient.noise, marker.family.isCoded(), measurement->first);
   }
   addCameraDoubt(settings.cameraCovariance, marker.family, visit.camera, measurement->first);
   const double visible = !marker.seen          ? outline.support

@@ -24,14 +24,14 @@ using namespace room_test;
 
 namespace {
 //! By how much the covariance of a fit grows in an image of a noise of 2 grey levels.
-double growth(double sigma, double noiseOfFit, double elongation = 0.)
+double growth(double sigma, double noiseOfFit, double elongation = 0., bool isCoded = false)
 {
   FittedPose fit;
   fit.photometry.blur.sigma = sigma;
   fit.photometry.blur.elongation = Eigen::Vector2d(elongation, 0.);
   fit.noise = noiseOfFit;
   fit.covariance.setIdentity();
-  widenByShapeOfBlur(2., fit);
+  widenByShapeOfBlur(2., isCoded, fit);
   EXPECT_TRUE(fit.covariance.isApprox(fit.covariance(0, 0) * Eigen::Matrix<double, 6, 6>::Identity()));
   return fit.covariance(0, 0);
 }
@@ -46,4 +46,5 @@ TEST(BlurShape, WidensWhatIsOutOfFocusAndLeavesMoreThanNoise)
   EXPECT_GT(growth(3., 4.), growth(2., 4.));
   EXPECT_GT(growth(2., 6.), growth(2., 4.));
   EXPECT_EQ(growth(2., 4., 0.6), 1.); // moved, not out of focus
+  EXPECT_NEAR(growth(2., 4., 0., true), 1. + (1. - 0.25 * 1.03 * 1.03) * 5. * 4., 1e-9);
 }

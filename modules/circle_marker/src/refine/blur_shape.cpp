@@ -28,9 +28,11 @@ constexpr double usualNoise = 1.03;
 // What the shape leaves goes the same way over so many pixels, in units of the blur's variance: the disc, twice the
 // standard deviation in radius, covers 4 pi of them, and its rim lies along the ring.
 constexpr double coherentArea = 20.;
+// Where the edges of a code face all ways, over about a quarter of them.
+constexpr double coherentAreaOfCode = 5.;
 } // namespace
 
-void widenByShapeOfBlur(double noise, FittedPose &fit)
+void widenByShapeOfBlur(double noise, bool isCoded, FittedPose &fit)
 {
   // Where it is narrow: a motion's way is long, but what its shape leaves cancels between its two ends.
   const BlurParameters &fitted = fit.photometry.blur;
@@ -38,7 +40,7 @@ void widenByShapeOfBlur(double noise, FittedPose &fit)
   const double usual = usualNoise * noise;
   if (blur > wideBlur && fit.noise > usual) {
     const double share = 1. - usual * usual / (fit.noise * fit.noise);
-    fit.covariance *= 1. + share * coherentArea * blur * blur;
+    fit.covariance *= 1. + share * (isCoded ? coherentAreaOfCode : coherentArea) * blur * blur;
   }
 }
 } // namespace circle_marker

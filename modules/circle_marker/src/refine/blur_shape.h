@@ -28,13 +28,13 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  Widens the covariance of a ring without a code that is seen through a wide blur: what neighbouring directions pull
-  differently is in it (coherence.cpp), what all of them leave alike is not. With a code it cancels: its edges face all
-  ways.
+  Widens the covariance of a marker that is seen through a wide blur: what neighbouring directions pull differently is
+  in it (coherence.cpp), what all of them leave alike is not. With a code most of that cancels: its edges face all ways.
   \param noise : Of the image, standard deviation, grey levels.
+  \param isCoded : Whether the marker has a code.
   \param fit : The pose.
 */
-void widenByShapeOfBlur(double noise, FittedPose &fit);
+void widenByShapeOfBlur(double noise, bool isCoded, FittedPose &fit);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

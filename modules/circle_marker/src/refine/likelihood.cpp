@@ -33,8 +33,12 @@ inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // A print that stands out by less than this, grey levels, is none; rounding alone never gives as much.
 constexpr double leastContrast = 0.5;
-// Cameras are linear, or have a gamma of 0.45 or 2.2: by its logarithm, 0.8 to either side.
+// Cameras are linear, or have a gamma of 0.45 or 2.2: by its logarithm, 0.8 to either side. A wide blur is less of a
+// Gaussian, and what its shape lacks would be taken for gamma: from this blur on, pixels, less is expected.
 constexpr double gammaPrior = 0.5;
+constexpr double wideBlur = 1.;
+// Where more of the pixels than this share are as bright as can be, light and gamma cannot be told from each other.
+constexpr double mostOverExposed = 0.05;
 // Ink spreads by some 0.1 mm, radii of markers are some 30 to 100 mm.
 constexpr double spreadPrior = 0.003;
 // Most pictures are not moved; those that are have blurs longer by any amount. So the prior of the elongation is
@@ -51,6 +55,18 @@ constexpr double shadowPrior = 0.3;
 // In the first guess of light and contrast, before the noise is known, a pixel with this variance, grey levels^2, from
 // the surround counts half.
 constexpr float guessedVariance = 25.f;
+
+double gammaPriorAt(const BlurParameters &blur)
+{
+  return gammaPrior * std::min(1., wideBlur / blur.sigma);
+}
+
+bool isOverExposed(const std::vector<FitPixel> &pixels)
+{
+  const auto bright =
+      std::count_if(pixels.begin(), pixels.end(), [](const FitPixel &pixel) { return pixel.grey >= brightest; });
+  return static_cast<double>(bright) > mostOverExposed * static_cast<double>(pixels.size());
+}
 
 // Cauchy's prior of two parameters: its cost, and the weight of a normal one with the same slope, which becomes weaker
 // the larger they are. That width makes the step, and goes to the covariance.
@@ -77,6 +93,7 @@ Likelihood::Likelihood(const MarkerPattern &pattern, const FitSettings &settings
 void Likelihood::setPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const Photometry &photometry,
                            double noise)
 {
+  m_isOverExposed = isOverExposed(pixels);
   packPixels(pixels, plane, m_pattern, photometry, noise, m_settings.poseError, m_settings.bordersSeen,
              m_memory.blocks);
 }
@@ -87,6 +104,7 @@ bool Likelihood::keepPixels(const std::vector<FitPixel> &pixels, const MarkerPla
   if (!serve(m_memory.blocks, plane, m_pattern, photometry.blur, room, m_settings.bordersSeen)) {
     return false;
   }
+  m_isOverExposed = isOverExposed(pixels);
   judgeSurround(pixels, plane, m_pattern, photometry, noise, m_memory.blocks);
   return true;
 }
@@ -231,7 +249,7 @@ void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry
 
 double Likelihood::priorCost(const Photometry &photometry, double noise) const
 {
-  const double u = m_settings.growth ? photometry.logGamma / gammaPrior : 0.;
+  const double u = m_settings.growth && !m_isOverExposed ? photometry.logGamma / gammaPriorAt(photometry.blur) : 0.;
   const double v = m_settings.growth ? photometry.blur.spread / spreadPrior : 0.;
   double cost = u * u + v * v + cauchyCost(photometry.blur.elongation, elongationPrior) +
                 cauchyCost(photometry.lightGradient, gradientPrior);
@@ -262,7 +280,7 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
     equations.right[at] = 0.;
   };
   if (m_settings.growth) {
-    const double weight = noise * noise / (gammaPrior * gammaPrior);
+    const double weight = std::pow(noise / gammaPriorAt(photometry.blur), 2.);
     equations.matrix(gammaAt, gammaAt) += weight;
     equations.right[gammaAt] -= weight * photometry.logGamma;
     const double weightOfSpread = noise * noise / (spreadPrior * spreadPrior);
@@ -270,8 +288,10 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
     equations.right[spreadAt] -= weightOfSpread * photometry.blur.spread;
   }
   else {
-    hold(gammaAt);
     hold(spreadAt);
+  }
+  if (!m_settings.growth || m_isOverExposed) {
+    hold(gammaAt);
   }
   if (!m_settings.spinIsKnown) {
     hold(spinAt);

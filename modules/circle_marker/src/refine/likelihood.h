@@ -141,6 +141,7 @@ private:
   ParameterMatrix m_matrix;       //!< Of the last pass of linearise() that was kept, without the priors.
   ParameterMatrix m_trialMatrix;  //!< And of the last one.
   bool m_trialHasProducts = false;
+  bool m_isOverExposed = false; //!< Whether gamma is held, because the paper is brighter than the sensor can tell.
 };
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
