@@ -70,13 +70,13 @@ MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const Camer
   const ImageFrame frame = frameOf(start, camera);
   ring.origin = frame.center;
   ring.light = fit.photometry.light;
-  ring.slope = fit.photometry.gamma() * fit.photometry.light / frame.size * fit.photometry.lightGradient;
+  ring.slope = fit.photometry.gamma * fit.photometry.light / frame.size * fit.photometry.lightGradient;
   ring.contrast = fit.photometry.contrast();
   ring.blur = fit.photometry.blur.widest();
   ring.noise = fit.noise;
   if (const auto &shadow = fit.photometry.shadow) {
     const Eigen::Vector2d toDark(std::cos(shadow->direction), std::sin(shadow->direction));
-    ring.shade = std::pow(shadow->factor, fit.photometry.gamma());
+    ring.shade = std::pow(shadow->factor, fit.photometry.gamma);
     ring.toShade = toDark / (shadow->softness * frame.size);
     ring.shadeEdge = shadow->edge / shadow->softness;
   }

@@ -40,7 +40,7 @@ Photometry randomLight(Random &random)
   photometry.light = uniform(random, 60., 130.); // and below 255 at the brighter end
   photometry.lightGradient = Eigen::Vector2d(uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4));
   photometry.absorption = uniform(random, 0.3, 0.95);
-  photometry.logGamma = uniform(random, -0.8, 0.8);
+  photometry.gamma = std::exp(uniform(random, -0.8, 0.8));
   return photometry;
 }
 } // namespace
@@ -52,12 +52,12 @@ TEST(GreyModel, GammaIsOfAllTheLight)
   photometry.light = 200.;
   photometry.lightGradient = Eigen::Vector2d(0.4, 0.);
   photometry.absorption = 0.8;
-  photometry.logGamma = std::log(2.2);
+  photometry.gamma = 2.2;
   photometry.shadow = Shadow{0.5, 0., -1., 0.01};
   EXPECT_NEAR(greyAt(photometry, Eigen::Vector2d(0.5, 0.3), 0.5), 200. * std::pow(1.2 * 0.5 * 0.6, 2.2), 1e-3);
   photometry.shadow = std::nullopt;
   EXPECT_NEAR(greyAt(photometry, Eigen::Vector2d(0.5, 0.3), 0.5), 200. * std::pow(1.2 * 0.6, 2.2), 1e-3);
-  photometry.logGamma = 0.;
+  photometry.gamma = 1.;
   EXPECT_NEAR(greyAt(photometry, Eigen::Vector2d(0.5, 0.3), 0.5), 200. * 1.2 * 0.6, 1e-3);
 }
 

@@ -56,8 +56,8 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       }
       EXPECT_NEAR(fit->photometry.light, light.level, 2e-3);
       EXPECT_NEAR(fit->photometry.contrast(), light.contrast, 2e-5);
-      EXPECT_NEAR(fit->photometry.gamma(), 1., 3e-3);
-      EXPECT_LT((fit->photometry.gamma() * light.level * fit->photometry.lightGradient - light.gradient).norm(), 5e-3);
+      EXPECT_NEAR(fit->photometry.gamma, 1., 3e-3);
+      EXPECT_LT((fit->photometry.gamma * light.level * fit->photometry.lightGradient - light.gradient).norm(), 5e-3);
       EXPECT_NEAR(fit->photometry.blur.sigma, blur.sigma, 1e-4);
       EXPECT_LT((fit->photometry.blur.elongation - blur.elongation).norm(), 2e-4);
       EXPECT_NEAR(fit->photometry.blur.spread, 0., 3e-5);

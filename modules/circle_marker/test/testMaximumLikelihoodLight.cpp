@@ -91,7 +91,7 @@ TEST(MaximumLikelihoodLight, GammaIsFound)
         const MarkerPlane truth = made.scene.plane();
         EXPECT_LT((fit->plane.center - truth.center).norm() / truth.center.z(), 2e-6) << gamma;
         EXPECT_LT((fit->plane.rotation.col(2) - truth.rotation.col(2)).norm(), 1e-5) << gamma;
-        EXPECT_NEAR(fit->photometry.logGamma, std::log(gamma), 0.02);
+        EXPECT_NEAR(std::log(fit->photometry.gamma / gamma), 0., 0.02);
         EXPECT_NEAR(fit->photometry.contrast(), 1. - std::pow(1. - light.contrast, gamma), 1e-4);
         EXPECT_NEAR(fit->photometry.whiteAt(Eigen::Vector2d(0.5, 0.5)),
                     light.level * std::pow(1. + 0.5 * light.gradient.sum() / light.level, gamma), 0.01);
@@ -126,7 +126,7 @@ GradientError errorOfGradient(double steep, Random &random)
     const auto fit = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.01), made.pattern, settingsOf(family));
     if (fit) {
       const Eigen::Vector2d error =
-          fit->photometry.gamma() * light.level * fit->photometry.lightGradient - light.gradient;
+          fit->photometry.gamma * light.level * fit->photometry.lightGradient - light.gradient;
       squares += error.squaredNorm();
       along.push_back(error.dot(direction));
     }

@@ -70,7 +70,7 @@ TEST(Photometry, GreyLevelsAreTheLightToThePowerOfGamma)
   EXPECT_NEAR(photometry.contrast(), 0.75, 1e-12);
   EXPECT_NEAR(photometry.whiteAt(Eigen::Vector2d(0.5, 3.)), 250., 1e-9);
   EXPECT_NEAR(photometry.blackOf(0.625), 0.5, 1e-12);
-  photometry.logGamma = std::log(2.);
+  photometry.gamma = 2.;
   EXPECT_NEAR(photometry.contrast(), 1. - 0.0625, 1e-12);
   EXPECT_NEAR(photometry.whiteAt(Eigen::Vector2d(0.5, 3.)), 200. * 1.5625, 1e-9);
   EXPECT_NEAR(photometry.blackOf(0.625 * 0.625), 0.5, 1e-12);

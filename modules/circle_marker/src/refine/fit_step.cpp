@@ -30,8 +30,9 @@ namespace {
 // The blur stays between that of the pixel's own area and one that no marker is recognised through, pixels.
 constexpr double leastSigma = 0.29;
 constexpr double mostSigma = 20.;
-// Cameras' gamma lies between 0.4 and 2.4; here, its logarithm.
-constexpr double mostLogGamma = 1.2;
+// Cameras' gamma lies between 0.4 and 2.4.
+constexpr double leastGamma = 0.3;
+constexpr double mostGamma = 3.3;
 // What a shadow leaves of the light, and the softness of its edge, in units of the marker's size.
 constexpr double leastFactor = 0.02;
 constexpr double mostFactor = 1.;
@@ -67,9 +68,9 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   if (angle > 0.) {
     plane.rotation = plane.rotation * Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
   }
-  const double logGamma = std::clamp(photometry.logGamma + step[gammaAt], -mostLogGamma, mostLogGamma);
-  const double bend = logGamma - photometry.logGamma;
-  photometry.logGamma = logGamma;
+  const double gamma = std::clamp(photometry.gamma * std::exp(step[gammaAt]), leastGamma, mostGamma);
+  const double bend = std::log(gamma / photometry.gamma);
+  photometry.gamma = gamma;
   photometry.light += step[lightAt];
   photometry.lightGradient = (std::exp(-bend) + bend) * photometry.lightGradient + step.segment<2>(gradientAt);
   photometry.absorption = 1. - shareAfter(1. - photometry.absorption, -step[absorptionAt], bend);
@@ -91,7 +92,7 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
 bool isAlike(const Photometry &p, const Photometry &q)
 {
   return std::abs(p.light - q.light) < nearLight * p.light && std::abs(p.absorption - q.absorption) < nearLight &&
-         std::abs(p.logGamma - q.logGamma) < nearLight &&
+         std::abs(p.gamma - q.gamma) < nearLight * p.gamma &&
          std::abs(p.blur.sigma - q.blur.sigma) < nearLight * p.blur.sigma;
 }
 

@@ -125,7 +125,7 @@ inline GreyLanes greyOf(const PixelBlock &block, const SurroundLanes *surround, 
                         const Lanes &darkness)
 {
   GreyLanes grey;
-  const auto gamma = static_cast<float>(photometry.gamma());
+  const auto gamma = static_cast<float>(photometry.gamma);
   Lanes light = lightOf(block, photometry);
   if (photometry.shadow) {
     light = light * shadowOf(block, *photometry.shadow).value;
@@ -159,7 +159,7 @@ using RowLanes = std::array<Lanes, parameters>;
 inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const Photometry &photometry,
                   const DarknessLanes &darkness, const GreyLanes &grey, RowLanes &row)
 {
-  const auto gamma = static_cast<float>(photometry.gamma());
+  const auto gamma = static_cast<float>(photometry.gamma);
   const Lanes byLogReflectance = gamma * grey.white * grey.print;
   const Lanes byReflectance = byLogReflectance * grey.reflectance.inverse();
   const Lanes byDarkness = -static_cast<float>(photometry.absorption) * byReflectance;

@@ -249,7 +249,8 @@ void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry
 
 double Likelihood::priorCost(const Photometry &photometry, double noise) const
 {
-  const double u = m_settings.growth && !m_isOverExposed ? photometry.logGamma / gammaPriorAt(photometry.blur) : 0.;
+  const double u =
+      m_settings.growth && !m_isOverExposed ? std::log(photometry.gamma) / gammaPriorAt(photometry.blur) : 0.;
   const double v = m_settings.growth ? photometry.blur.spread / spreadPrior : 0.;
   double cost = u * u + v * v + cauchyCost(photometry.blur.elongation, elongationPrior) +
                 cauchyCost(photometry.lightGradient, gradientPrior);
@@ -282,7 +283,7 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
   if (m_settings.growth) {
     const double weight = std::pow(noise / gammaPriorAt(photometry.blur), 2.);
     equations.matrix(gammaAt, gammaAt) += weight;
-    equations.right[gammaAt] -= weight * photometry.logGamma;
+    equations.right[gammaAt] -= weight * std::log(photometry.gamma);
     const double weightOfSpread = noise * noise / (spreadPrior * spreadPrior);
     equations.matrix(spreadAt, spreadAt) += weightOfSpread;
     equations.right[spreadAt] -= weightOfSpread * photometry.blur.spread;

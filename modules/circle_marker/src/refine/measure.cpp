@@ -51,7 +51,7 @@ constexpr double leastHopelessSize = 20.;
 bool isRightRing(const RankedFits &ranked)
 {
   return !ranked.fits.empty() && ranked.fits[0].correlation >= leastCorrelationWithoutCode &&
-         std::abs(ranked.fits[0].photometry.logGamma) < mostLogGamma;
+         std::abs(std::log(ranked.fits[0].photometry.gamma)) < mostLogGamma;
 }
 // The coarse fits; of the ring as designed, or else as it was seen: then the pattern is that of it.
 RankedFits fitCoarsely(const MarkerInImage &view, bool refine, const FitSettings &settings, MarkerPattern &pattern,

@@ -54,17 +54,17 @@ void BlurParameters::elongate(const Eigen::Vector2d &step)
 
 double Photometry::contrast() const
 {
-  return absorption < 1. ? 1. - std::pow(1. - absorption, gamma()) : absorption;
+  return absorption < 1. ? 1. - std::pow(1. - absorption, gamma) : absorption;
 }
 
 double Photometry::whiteAt(const Eigen::Vector2d &offset) const
 {
-  return light * std::pow(std::max(1. + lightGradient.dot(offset), leastLight), gamma());
+  return light * std::pow(std::max(1. + lightGradient.dot(offset), leastLight), gamma);
 }
 
 double Photometry::blackOf(double grey) const
 {
-  return (1. - std::pow(std::max(grey, 0.), 1. / gamma())) / absorption;
+  return (1. - std::pow(std::max(grey, 0.), 1. / gamma)) / absorption;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -67,7 +67,7 @@ struct Photometry
   double light = 200.; //!< Grey level of white paper at the marker's centre, if no shadow fell on it.
   Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero(); //!< Change of the light over the marker's size, share of it.
   double absorption = 0.8;                                 //!< Share of the light that ink takes.
-  double logGamma = 0.;                                    //!< Logarithm of gamma.
+  double gamma = 1.;                                       //!< The camera's.
   //! How much of what may lie beyond the quiet zone does, for each shape that the paper may have (PaperShape): 1 if it
   //! ends there, 0 if it goes on.
   std::array<double, paperShapes> surround = {{0.25, 0.5}};
@@ -78,8 +78,6 @@ struct Photometry
   double endError = 0.2;
   std::optional<Shadow> shadow; //!< A shadow that multiplies the light; nothing: none falls on the marker.
   BlurParameters blur;
-
-  double gamma() const { return std::exp(logGamma); }
 
   /*! 1 - black / white, of the grey levels. */
   double contrast() const;

@@ -28,7 +28,7 @@ namespace circle_marker {
 namespace {
 // Two fits closer than this, in standard deviations, are one pose.
 constexpr double samePose = 0.3;
-// Difference of the blur, pixels, or of the logarithm of gamma, between two fits at their minimum.
+// Difference of the blur, pixels, or of gamma, share of it, between two fits at their minimum.
 constexpr double sameLight = 0.03;
 constexpr double sameGamma = 0.06;
 // A pose whose log-odds against are beyond this on few pixels is not refined any further.
@@ -132,7 +132,7 @@ void keepTwo(RankedFits &ranked)
 
 bool isSameLight(const Photometry &p, const Photometry &q)
 {
-  return std::abs(p.blur.sigma - q.blur.sigma) < sameLight && std::abs(p.logGamma - q.logGamma) < sameGamma;
+  return std::abs(p.blur.sigma - q.blur.sigma) < sameLight && std::abs(p.gamma - q.gamma) < sameGamma * p.gamma;
 }
 
 bool isHopeless(const FittedPose &fit, const FittedPose &best, double noise)
