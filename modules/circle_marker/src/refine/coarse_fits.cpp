@@ -40,7 +40,7 @@ constexpr int coarseBorders = 3;
 // Last step, in standard deviations, and steps at most: a pose that fits badly creeps. Where there is no code, or
 // perhaps another one, even the right one may.
 constexpr double coarseConvergence = 0.5;
-constexpr int coarseIterations = 4;
+constexpr int coarseIterations = 6;
 constexpr int coarseIterationsUncertain = 6;
 // Looks at few pixels: those around an outline that is off by more than the blur do not show where it should be.
 constexpr int mostLooks = 3;
