@@ -42,6 +42,11 @@ constexpr double manyPixels = 20000.;
 constexpr double fineError = 0.6;
 // A ring whose edges are explained only by a gamma beyond that of cameras is another ring; here, its logarithm.
 constexpr double mostLogGamma = 1.;
+// What is no marker, teeth on a ring, stripes, is explained by a gamma as far as it may go, by ink that has run by
+// millimetres, or by a light that ends on the marker: the logarithm of the first, noise included, and the second in
+// outer radii.
+constexpr double mostLogGammaInNoise = 1.1;
+constexpr double mostSpread = 0.03;
 // Of markers below this radius, pixels, both poses are refined: all pixels cost little more than the few, and a coarse
 // fit that was stuck made the right pose of some markers of 16 pixels hopeless.
 constexpr double leastHopelessSize = 20.;
@@ -102,11 +107,28 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, Fit
   return ranked;
 }
 
-// Whether the best fit explains the image.
-bool isExplained(const FittedPose &best, bool hasCode, bool refine)
+// Whether there are light, ink and cameras as the fit has them.
+bool isPlausible(const FittedPose &fit, const MarkerInImage &view)
 {
-  const double refined = hasCode ? leastCorrelation : leastCorrelationWithoutCode;
-  return best.correlation >= (refine ? refined : leastCorrelationUnrefined) && best.inliers >= leastInliers;
+  // The light's change from the centre to where two radii of the ring end that are conjugate in its image: no more than
+  // their root sum of squares is it anywhere on the ring.
+  Eigen::Vector2d change;
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector2d end = view.camera.toPixel(fit.plane.project(Eigen::Vector2d::Unit(i)));
+    change[i] = fit.photometry.lightGradient.dot(end - view.frame.center) / view.frame.size;
+  }
+  return change.norm() < 1. && std::abs(std::log(fit.photometry.gamma)) < mostLogGammaInNoise &&
+         std::abs(fit.photometry.blur.spread) < mostSpread;
+}
+
+// Whether the best fit explains the image.
+bool isExplained(const FittedPose &best, const MarkerInImage &view, bool refine)
+{
+  if (!refine) {
+    return best.correlation >= leastCorrelationUnrefined && best.inliers >= leastInliers;
+  }
+  const double least = view.marker.family.isCoded() ? leastCorrelation : leastCorrelationWithoutCode;
+  return best.correlation >= least && best.inliers >= leastInliers && isPlausible(best, view);
 }
 
 // Half of a robust sum of squares, in units of the noise's variance: a negative log-likelihood.
@@ -149,7 +171,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     ranked = fitAllPixels(view, ranked, settings, pattern, memory);
   }
   const Few<FittedPose> &fits = ranked.fits;
-  if (fits.empty() || !isExplained(fits[0], pattern.sectors > 0, refine)) {
+  if (fits.empty() || !isExplained(fits[0], view, refine)) {
     return std::nullopt;
   }
 
