@@ -43,10 +43,10 @@ constexpr double mostUnexplained = 1.2;
 constexpr double clearOdds = 40.;
 constexpr double mostUnexplainedIfClear = 1.6;
 constexpr double mostUnexplainedIfRead = 3.;
-// At a wrong pose, too, one codeword is the best, by up to e^26; but it does not leave the image's noise alone. Of a
+// At a wrong pose, too, one codeword is the best, by up to e^35; but it does not leave the image's noise alone. Of a
 // right one no more is left than this factor, and this share of the contrast for what the model lacks. (A golay23 of 9
-// pixels in a blur of 1.2 was read as another where 1.4 times the noise was left.)
-constexpr double oddsAtAnyPose = 30.;
+// pixels in a blur of 1.2 was read as another where 1.4 times the noise was left.) Below these odds, ln, that is asked.
+constexpr double oddsAtAnyPose = 60.;
 constexpr double mostNoiseAtRightPose = 1.2;
 constexpr double rounding = 0.29; // noise of an image without any, grey levels
 constexpr double mostLacking = 0.003;

@@ -40,6 +40,8 @@ constexpr double leastInliers = 0.5;
 constexpr double manyPixels = 20000.;
 // How far the fits on all pixels may go from the coarse ones until their pixels are sorted anew, pixels.
 constexpr double fineError = 0.6;
+// Steps on all pixels of a marker whose code is not certain: the right one settles in fewer, and most are no markers.
+constexpr int iterationsUncertain = 10;
 // A ring whose edges are explained only by a gamma beyond that of cameras is another ring; here, its logarithm.
 constexpr double mostLogGamma = 1.;
 // What is no marker, teeth on a ring, stripes, is explained by a gamma as far as it may go, by ink that has run by
@@ -152,6 +154,9 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   settings.spinIsKnown = pattern.sectors > 0;
   settings.poseError = fineError;
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
+  if (!marker.isCertain) {
+    settings.mostIterations = iterationsUncertain;
+  }
   const MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
   if (!marker.seen) { // what covers a marker looks like the edge of a shadow
     settings.shadow = shadowOn(I, camera, view.frame, marker.poses[0], marker.family.getLayout().quietZone);
