@@ -49,6 +49,10 @@ constexpr double mostNoiseAlone = 1.2;
 // And of its outline this share is found.
 constexpr double leastSupportOfWhole = 0.9;
 
+// Of a print, whatever covers a part of it, the fit leaves no more than this share of the contrast besides noise; of
+// rings with teeth, which are no code, it left 0.12.
+constexpr double mostLackingAnywhere = 0.08;
+
 // Most that the model may leave of a marker with corrected sectors, standard deviation, share of the contrast: noise of
 // 20 grey levels on a contrast of 170. A codeword that was read at a wrong pose leaves more.
 constexpr double mostNoiseOfCorrected = 0.12;
@@ -126,15 +130,18 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
     return WholeVerdict::RIGHT;
   }
   const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
-  const bool isTooNoisy = marker.code.hamming > 0 && !photometry.shadow && ring.noise > mostNoiseOfCorrected * contrast;
+  const bool isTooNoisy =
+      !photometry.shadow && (isDoubted ? ring.noise > mostNoiseOfCorrected * contrast
+                                       : std::hypot(noise, mostLackingAnywhere * contrast) < ring.noise);
   TrackPixels pixels(I, camera, ring, marker.family, memory.track);
   pixels.turnTo(0.);
   const CodewordVerdict verdict = pixels.judge(marker.family.getCodeword(marker.code.id));
   if (isTooNoisy || (isDoubted && verdict.explained < leastExplained * verdict.all)) {
     return WholeVerdict::WRONG;
   }
-  // Pixels that may be off by as much as such a fit leaves say little against it.
-  const bool isBlind = isNoisy && (isFaint || support < leastSupportOfWhole);
+  // Pixels that may be off by as much as such a fit leaves say little against it; in its blur there may even be none that
+  // shows one sector alone.
+  const bool isBlind = (isNoisy && (isFaint || support < leastSupportOfWhole)) || verdict.all <= 0.;
   const bool isWhole =
       !isBlind && verdict.explained >= wholeExplained * verdict.all && (!isDoubted || !pixels.hasCoverLikePrint());
   return isWhole ? WholeVerdict::RIGHT : WholeVerdict::COVERED;
