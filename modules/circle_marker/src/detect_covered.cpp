@@ -34,6 +34,8 @@ constexpr double hopelessOdds = 10.;
 // Share of the pixels that show one sector alone that are what a codeword with corrections makes them, at least: where
 // nothing covers the marker all are, where a sector is dirty or covered nine tenths.
 constexpr double leastExplained = 0.6;
+// And of a codeword without corrections, in whatever light: half of a marker may lie in a shadow.
+constexpr double leastExplainedInAnyLight = 0.3;
 
 // Share from which nothing covers it: three corrected sectors of 23 leave that.
 constexpr double wholeExplained = 0.87;
@@ -49,9 +51,9 @@ constexpr double mostNoiseAlone = 1.2;
 // And of its outline this share is found.
 constexpr double leastSupportOfWhole = 0.9;
 
-// Of a print, whatever covers a part of it, the fit leaves no more than this share of the contrast besides noise; of
-// rings with teeth, which are no code, it left 0.12.
-constexpr double mostLackingAnywhere = 0.08;
+// Where the blur leaves no pixel that shows one sector alone, the fit has to tell, and leaves no more than this share
+// of the contrast besides noise; of a ring with teeth, which are no code, it left 0.12.
+constexpr double mostLackingOfBlurred = 0.08;
 
 // Most that the model may leave of a marker with corrected sectors, standard deviation, share of the contrast: noise of
 // 20 grey levels on a contrast of 170. A codeword that was read at a wrong pose leaves more.
@@ -130,18 +132,17 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
     return WholeVerdict::RIGHT;
   }
   const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
-  const bool isTooNoisy =
-      !photometry.shadow && (isDoubted ? ring.noise > mostNoiseOfCorrected * contrast
-                                       : std::hypot(noise, mostLackingAnywhere * contrast) < ring.noise);
+  const bool isTooNoisy = isDoubted && !photometry.shadow && ring.noise > mostNoiseOfCorrected * contrast;
   TrackPixels pixels(I, camera, ring, marker.family, memory.track);
   pixels.turnTo(0.);
   const CodewordVerdict verdict = pixels.judge(marker.family.getCodeword(marker.code.id));
-  if (isTooNoisy || (isDoubted && verdict.explained < leastExplained * verdict.all)) {
+  const bool isBlurred = verdict.all <= 0. && ring.noise > std::hypot(noise, mostLackingOfBlurred * contrast);
+  const double least = isDoubted ? leastExplained : leastExplainedInAnyLight;
+  if (isTooNoisy || isBlurred || verdict.explained < least * verdict.all) {
     return WholeVerdict::WRONG;
   }
-  // Pixels that may be off by as much as such a fit leaves say little against it; in its blur there may even be none that
-  // shows one sector alone.
-  const bool isBlind = (isNoisy && (isFaint || support < leastSupportOfWhole)) || verdict.all <= 0.;
+  // Pixels that may be off by as much as such a fit leaves say little against it.
+  const bool isBlind = isNoisy && (isFaint || support < leastSupportOfWhole);
   const bool isWhole =
       !isBlind && verdict.explained >= wholeExplained * verdict.all && (!isDoubted || !pixels.hasCoverLikePrint());
   return isWhole ? WholeVerdict::RIGHT : WholeVerdict::COVERED;

@@ -110,6 +110,7 @@ void setCode(const LikelyCode &code, const Measurement &measurement, Recognition
     marker.poses[1] = measurement.second->plane;
   }
   for (MarkerPlane &pose : marker.poses) {
+    pose.bend = SheetBend();
     pose.spin(code.spin);
   }
 }

@@ -292,8 +292,9 @@ TEST(Report, FramesSpinAndEllipse)
   }
 }
 
-// What covers a marker draws its outline aside: one start is near the mirrored pose, the other one leads nowhere.
-TEST(Measure, CoveredMarkersAreSoughtAtTheMirroredPoseToo)
+// What covers a marker, or bends it, draws its outline aside: one start is near the mirrored pose, the other one leads
+// nowhere.
+TEST(Measure, MarkersAreSoughtAtTheMirroredPoseToo)
 {
   Random random = randomOfTest();
   for (int i = 0; i < 10; ++i) {
@@ -308,7 +309,7 @@ TEST(Measure, CoveredMarkersAreSoughtAtTheMirroredPoseToo)
       const auto result = measure(I, camera, marker, true, memory);
       return result ? Eigen::Vector3d(result->first.plane.rotation.col(2)) : Eigen::Vector3d(-Eigen::Vector3d::UnitZ());
     };
-    EXPECT_GT(angleBetween(normalOf(), scene.rotation.col(2)), 0.5) << i << ": no start leads to it";
+    EXPECT_LT(angleBetween(normalOf(), scene.rotation.col(2)), 0.05) << i << ": the parts disagree about the other one";
     SeenParts seen;
     seen.plane = scene.plane();
     seen.directions = 92;

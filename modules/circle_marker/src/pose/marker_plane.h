@@ -28,6 +28,54 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
+  How the sheet is bent: the point q of the print is at the height
+  \f$ h = b_0 (q^2 - 1) / 2 + b_1 (q_x^2 - q_y^2) / 2 + b_2 q_x q_y \f$ beyond the marker's plane, away from the camera,
+  all in outer radii. On the ring's outer circle its mean is 0: that is where the plane is. Paper bends without being
+  stretched, about one axis, and draws the print together by \f$ (q \cdot \nabla h) \nabla h / 6 \f$, to third order.
+*/
+struct SheetBend
+{
+  /*! Whether the sheet is not flat. */
+  bool isAny() const { return bow != 0. || saddle.x() != 0. || saddle.y() != 0.; }
+
+  /*! Height of a point of the print. */
+  double height(const Eigen::Vector2d &q) const { return 0.5 * (q.dot(slope(q)) - bow); }
+
+  /*! Its derivative. */
+  Eigen::Vector2d slope(const Eigen::Vector2d &q) const
+  {
+    return bow * q + Eigen::Vector2d(saddle.x() * q.x() + saddle.y() * q.y(), saddle.y() * q.x() - saddle.x() * q.y());
+  }
+
+  /*! By how much it is drawn together with the print, along the plane. */
+  Eigen::Vector2d shift(const Eigen::Vector2d &q) const { return -q.dot(slope(q)) / 6. * slope(q); }
+
+  /*! The point of the print that is seen where the plane would be at \e flat; slant: see MarkerPlane::slantAt(). */
+  Eigen::Vector2d seenAt(const Eigen::Vector2d &flat, const Eigen::Vector2d &slant) const
+  {
+    Eigen::Vector2d q = flat;
+    for (int i = 0; i < steps; ++i) {
+      q = flat + height(q) * slant - shift(q);
+    }
+    return q;
+  }
+
+  /*! The same sheet in a frame that is turned about the normal, rad, positive from x to y. */
+  void spin(double angle)
+  {
+    const double c = std::cos(2. * angle);
+    const double s = std::sin(2. * angle);
+    saddle = Eigen::Vector2d(c * saddle.x() + s * saddle.y(), c * saddle.y() - s * saddle.x());
+  }
+
+  /*! Steps to the point that is seen: each leaves some hundredths of the way. */
+  static constexpr int steps = 3;
+
+  double bow = 0.;                                  //!< b_0.
+  Eigen::Vector2d saddle = Eigen::Vector2d::Zero(); //!< (b_1, b_2).
+};
+
+/*!
   Pose of a marker, z-aligned (x right, y down, z into the marker), with the ring's outer radius as unit of length in
   its plane: the point q of the plane is centre + radius (q.x ex + q.y ey) in the camera frame, metres.
 */
@@ -36,26 +84,40 @@ struct MarkerPlane
   Eigen::Vector3d center;   //!< Origin of the marker frame, metres.
   Eigen::Matrix3d rotation; //!< Columns ex, ey and the normal away from the camera.
   double radius = 0.;       //!< Outer radius of the ring, metres.
+  SheetBend bend;           //!< Of the sheet.
 
-  /*! Normalised coordinates of the image of a point of the plane. */
+  /*! Normalised coordinates of the image of a point of the sheet. */
   Eigen::Vector2d project(const Eigen::Vector2d &q) const
   {
-    const Eigen::Vector3d p = center + radius * (rotation.leftCols<2>() * q);
+    Eigen::Vector3d p = center + radius * (rotation.leftCols<2>() * q);
+    if (bend.isAny()) {
+      p += radius * (rotation.leftCols<2>() * bend.shift(q) + bend.height(q) * rotation.col(2));
+    }
     return p.head<2>() / p.z();
   }
 
-  /*! The point of the plane whose image is \e meter, in normalised coordinates. */
+  /*! The point of the sheet whose image is \e meter, in normalised coordinates. */
   Eigen::Vector2d intersect(const Eigen::Vector2d &meter) const
   {
     const Eigen::Vector3d ray(meter.x(), meter.y(), 1.);
     const double depth = rotation.col(2).dot(center) / rotation.col(2).dot(ray);
-    return rotation.leftCols<2>().transpose() * (depth * ray - center) / radius;
+    const Eigen::Vector2d flat = rotation.leftCols<2>().transpose() * (depth * ray - center) / radius;
+    return bend.isAny() ? bend.seenAt(flat, slantAt(flat)) : flat;
+  }
+
+  /*! How far the ray through a point of the plane goes along it, on its way by one unit of height away from the camera.
+   */
+  Eigen::Vector2d slantAt(const Eigen::Vector2d &flat) const
+  {
+    const Eigen::Vector3d camera = -rotation.transpose() * center / radius;
+    return (flat - camera.head<2>()) / -camera.z();
   }
 
   /*! Turns the marker about its normal, rad, positive from x to y. */
   void spin(double angle)
   {
     rotation = rotation * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    bend.spin(angle);
   }
 };
 

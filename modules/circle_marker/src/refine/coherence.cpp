@@ -135,8 +135,8 @@ Eigen::Matrix<double, fitted, fitted> widened(const Eigen::Matrix<double, fitted
 }
 
 template <int fitted>
-Eigen::Matrix<double, poseSize, poseSize> coherentCovarianceOf(const PassSums &sums, const ParameterMatrix &inverse,
-                                                               const ParameterVector &step, double noise, int used)
+CoherentCovariance coherentCovarianceOf(const PassSums &sums, const ParameterMatrix &inverse,
+                                        const ParameterVector &step, double noise, int used)
 {
   const Influence<fitted> influence = inverse.topRows<fitted>();
   const Eigen::Matrix<double, fitted, fitted> known = inverse.topLeftCorner<fitted, fitted>().inverse();
@@ -153,18 +153,17 @@ Eigen::Matrix<double, poseSize, poseSize> coherentCovarianceOf(const PassSums &s
     const Excess<fitted> excess = excessOf<fitted>(parts, count, known, noise);
     largest = excess.ratio > largest.ratio ? excess : largest;
   }
-  Eigen::Matrix<double, poseSize, poseSize> covariance = inverse.topLeftCorner<poseSize, poseSize>();
-  if (largest.ratio > 1.) {
-    covariance.topLeftCorner(fitted, fitted) =
-        widened<fitted>(covariance.template topLeftCorner<fitted, fitted>(), largest);
+  CoherentCovariance coherent = {inverse.topLeftCorner<poseSize, poseSize>(), largest.ratio};
+  if (coherent.ratio > 1.) {
+    coherent.covariance.topLeftCorner(fitted, fitted) =
+        widened<fitted>(coherent.covariance.template topLeftCorner<fitted, fitted>(), largest);
   }
-  return covariance;
+  return coherent;
 }
 } // namespace
 
-Eigen::Matrix<double, poseSize, poseSize> Likelihood::coherentCovariance(const ParameterMatrix &inverse,
-                                                                         const ParameterVector &step, double noise,
-                                                                         int used) const
+CoherentCovariance Likelihood::coherentCovariance(const ParameterMatrix &inverse, const ParameterVector &step,
+                                                  double noise, int used) const
 {
   return m_settings.spinIsKnown ? coherentCovarianceOf<poseSize>(m_memory.sums, inverse, step, noise, used)
                                 : coherentCovarianceOf<spinAt>(m_memory.sums, inverse, step, noise, used);

@@ -39,8 +39,12 @@ public:
   /*!
     \param cx, cy : The camera's centre in the marker's frame, in radii.
     \param perDepth : 1 / its distance from the plane, in radii.
+    \param seesBend : Whether derivatives by the sheet's bend are wanted.
   */
-  EdgeMotion(float cx, float cy, float perDepth) : m_cx(cx), m_cy(cy), m_perDepth(perDepth) {}
+  EdgeMotion(float cx, float cy, float perDepth, bool seesBend)
+      : m_cx(cx), m_cy(cy), m_perDepth(perDepth), m_seesBend(seesBend)
+  {
+  }
 
   /*! An edge that is straight, with how much the share of black changes with its distance. */
   void addStraight(const SlopeLanes &slope, const Lanes &weight, DarknessLanes &darkness) const
@@ -79,6 +83,13 @@ private:
     darkness.byTwist[3] += byAngle * slope.footY;
     darkness.byTwist[4] -= byAngle * slope.footX;
     darkness.byTwist[5] += byX * slope.footY - byY * slope.footX;
+    if (m_seesBend) { // the print moves by the sheet's height there
+      const Lanes &x = slope.footX;
+      const Lanes &y = slope.footY;
+      darkness.byBend[0] += 0.5f * byAngle * (x * x + y * y - 1.f);
+      darkness.byBend[1] += 0.5f * byAngle * (x * x - y * y);
+      darkness.byBend[2] += byAngle * x * y;
+    }
   }
 
   // What that motion changes by its gradient: m^T (grad q') x, with m the derivative (byX, byY) and x the vector (x, y)
@@ -92,6 +103,13 @@ private:
     darkness.byTwist[3] += byAngle * y + byScale * slope.footY;
     darkness.byTwist[4] -= byAngle * x + byScale * slope.footX;
     darkness.byTwist[5] += byX * y - byY * x;
+    if (m_seesBend) {
+      const Lanes &fx = slope.footX;
+      const Lanes &fy = slope.footY;
+      darkness.byBend[0] += byAngle * (fx * x + fy * y) + 0.5f * byScale * (fx * fx + fy * fy - 1.f);
+      darkness.byBend[1] += byAngle * (fx * x - fy * y) + 0.5f * byScale * (fx * fx - fy * fy);
+      darkness.byBend[2] += byAngle * (fx * y + fy * x) + byScale * fx * fy;
+    }
   }
 
   // What blur and spread of ink change by the distance of an edge.
@@ -105,6 +123,7 @@ private:
 
   float m_cx, m_cy; // of the camera's centre, radii
   float m_perDepth; // 1 / its distance from the plane
+  bool m_seesBend;
 };
 
 inline void EdgeMotion::addCircle(const PlaneLanes &p, const EdgeLanes &edge, const Lanes &weight,

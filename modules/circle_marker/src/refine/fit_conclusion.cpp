@@ -70,7 +70,9 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
   result.decrement = equations.right.dot(inverse * equations.right);
   Eigen::Matrix<double, 6, 6> covariance = inverse.topLeftCorner<poseSize, poseSize>();
   if (settings.exactBends) {
-    covariance = fit.coherentCovariance(inverse, lastStep, noise, equations.used);
+    const CoherentCovariance coherent = fit.coherentCovariance(inverse, lastStep, noise, equations.used);
+    covariance = coherent.covariance;
+    result.coherence = coherent.ratio;
   }
   covariance *= biweightCovariance * result.noise * result.noise;
   if (!settings.spinIsKnown) {

@@ -63,13 +63,13 @@ bool MatrixPlace::servesAt(const MarkerPlane &plane, const Photometry &photometr
          outlineMotion(m_plane, plane) < nearMotion * unit * photometry.blur.sigma;
 }
 
-bool Race::isLost(const Likelihood &fit, const Photometry &photometry)
+bool Race::isLost(const Likelihood &fit, const MarkerPlane &plane, const Photometry &photometry)
 {
   if (!m_rival) {
     return false;
   }
   const double before = m_behind;
-  m_behind = fit.costOfResiduals(photometry, m_rival->noise) - m_rival->squares;
+  m_behind = fit.costOfResiduals(plane, photometry, m_rival->noise) - m_rival->squares;
   return m_behind > 2. * m_rival->odds * m_rival->noise * m_rival->noise && m_behind > catchingUp * before;
 }
 } // namespace CIRCLE_MARKER_LANES

@@ -81,7 +81,7 @@ public:
   explicit Race(const std::optional<Rival> &rival) : m_rival(rival) {}
 
   /*! Whether the fit stays far behind, by the residuals kept after a step. */
-  bool isLost(const Likelihood &fit, const Photometry &photometry);
+  bool isLost(const Likelihood &fit, const MarkerPlane &plane, const Photometry &photometry);
 
 private:
   const std::optional<Rival> m_rival;

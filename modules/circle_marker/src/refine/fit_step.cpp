@@ -77,6 +77,8 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   photometry.blur.sigma = std::clamp(photometry.blur.sigma + step[sigmaAt], leastSigma, mostSigma);
   photometry.blur.elongate(step.segment<2>(elongationAt));
   photometry.blur.spread += step[spreadAt];
+  plane.bend.bow += step[bendAt];
+  plane.bend.saddle += step.segment<2>(bendAt + 1);
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     photometry.surround[shape] += step[surroundAt + static_cast<int>(shape)];
   }

@@ -37,6 +37,7 @@ struct FittedPose
   double inliers = 0.;                    //!< Share of the pixels that count, in [0, 1].
   double correlation = 0.;                //!< Between model and image, in [-1, 1].
   bool isSettled = false;                 //!< Whether it has come to the end of its steps, not to the last allowed.
+  double coherence = 1.;                  //!< By how much parts of the print pull the pose apart more than noise does.
   double decrement = 0.;                  //!< What another step would take off the squares, grey levels^2.
   Eigen::Matrix<double, 6, 6> covariance; //!< Of (t, w): see Darkness::byPose.
 };
@@ -56,6 +57,7 @@ struct FitSettings
   std::optional<Shadow>
       shadow;              //!< Where a fit without photometry starts with the shadow on the marker, if there is one.
   bool growth = true;      //!< Whether black may look larger than designed, by ink or gamma.
+  bool bend = false;       //!< Whether the sheet may be bent.
   bool exactBends = true;  //!< Whether edges that bend strongly are corrected (correctBends()).
   double poseError = 1.;   //!< How far a fit may go until its pixels are sorted anew, pixels.
   int bordersSeen = 5;     //!< Borders between sectors that a pixel may see at most: 1, 3 or 5.

@@ -185,6 +185,9 @@ inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const 
   row[elongationAt] = byDarkness * darkness.byElongation[0];
   row[elongationAt + 1] = byDarkness * darkness.byElongation[1];
   row[spreadAt] = byDarkness * darkness.bySpread;
+  for (std::size_t k = 0; k < bendSize; ++k) {
+    row[bendAt + k] = byDarkness * darkness.byBend[k];
+  }
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     if (surround != nullptr) {
       row[surroundAt + shape] = surround->share[shape] * (surround->beyond[shape] - grey.white);

@@ -46,6 +46,9 @@ void start(DarknessLanes &darkness)
   darkness.byElongation[0].setZero();
   darkness.byElongation[1].setZero();
   darkness.bySpread.setZero();
+  for (Lanes &lanes : darkness.byBend) {
+    lanes.setZero();
+  }
 }
 
 Lanes &valueOf(Lanes &value)
@@ -59,8 +62,8 @@ Lanes &valueOf(DarknessLanes &darkness)
 } // namespace
 
 ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
-                       const PixelBlocks &blocks)
-    : m_blocks(blocks), m_homography(plane, blocks.reference, blur.shape())
+                       const PixelBlocks &blocks, bool seesBend)
+    : m_blocks(blocks), m_homography(plane, blocks.reference, blur.shape()), m_seesBend(seesBend)
 {
   const Eigen::Vector3d c = -plane.rotation.transpose() * plane.center / plane.radius;
   m_cx = static_cast<float>(c.x());
@@ -139,7 +142,7 @@ void ImageModel::seeBorder(const PlaneLanes &p, const CurvatureLanes &curvature,
       byElongation *= -standardised;
     }
     slope.bySpread = perSigma * change * perGradient;
-    const EdgeMotion motion(m_cx, m_cy, m_perDepth);
+    const EdgeMotion motion(m_cx, m_cy, m_perDepth, m_seesBend);
     motion.addStraight(slope, byDistance, result);
     if (hasCorners) {
       motion.addAngle(p, curvature, slope, acrossX, acrossY, change * byCosine, result);
@@ -160,7 +163,7 @@ void ImageModel::evaluateAs(const PixelBlock &block, Result &result) const
   const auto count = [&](const EdgeLanes &edge, const Lanes &weight) {
     if constexpr (hasSlopes) {
       if (edge.isSeen) {
-        EdgeMotion(m_cx, m_cy, m_perDepth).addCircle(p, edge, weight, result);
+        EdgeMotion(m_cx, m_cy, m_perDepth, m_seesBend).addCircle(p, edge, weight, result);
       }
     }
   };

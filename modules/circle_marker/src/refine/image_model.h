@@ -87,6 +87,7 @@ struct DarknessLanes
   Lanes bySigma;         //!< 1 / pixel.
   Lanes byElongation[2]; //!< By a step of BlurParameters::elongate(), without what the bend at corners does.
   Lanes bySpread;        //!< 1 / radius.
+  Lanes byBend[3];       //!< By the bow and the saddle of the sheet (SheetBend), if they are wanted.
 };
 
 struct CurvatureLanes;
@@ -95,8 +96,15 @@ struct CurvatureLanes;
 class ImageModel
 {
 public:
+  /*!
+    \param plane : The pose.
+    \param pattern : The print.
+    \param blur : Of the image.
+    \param blocks : The pixels.
+    \param seesBend : Whether derivatives by the sheet's bend are wanted.
+  */
   ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
-             const PixelBlocks &blocks);
+             const PixelBlocks &blocks, bool seesBend = false);
 
   /*! Evaluates the model on a block whose pixels see a part of the print. */
   void evaluate(const PixelBlock &block, PixelSight sight, DarknessLanes &darkness) const;
@@ -123,6 +131,7 @@ private:
   float m_spread;                 // radii
   int m_borders;                  // seen by a pixel; 0 without a code
   int m_cornerTerms;              // of the tetrachoric series
+  bool m_seesBend;
 };
 
 /*! Share of black that a pixel sees, and its derivatives. */

@@ -41,6 +41,9 @@ constexpr double wideBlur = 1.;
 constexpr double mostOverExposed = 0.05;
 // Ink spreads by some 0.1 mm, radii of markers are some 30 to 100 mm.
 constexpr double spreadPrior = 0.003;
+// A sheet of 300 mm that is bowed by 2 mm has heights of 0.008 of the outer radius of its marker of 90 mm, and paper is
+// bowed by more.
+constexpr double bendPrior = 0.02;
 // Most pictures are not moved; those that are have blurs longer by any amount. So the prior of the elongation is
 // Cauchy's, with this scale: a tenth of a pixel of motion hardly shows.
 constexpr double elongationPrior = 0.03;
@@ -197,9 +200,12 @@ Equations Likelihood::pull(const MarkerPlane &plane, const Photometry &photometr
 
 Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts)
 {
-  const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
+  const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks, m_settings.bend);
   Equations equations;
-  equations.used = photometry.shadow ? parameters : m_memory.blocks.surrounds.empty() ? surroundAt : shadowAt;
+  equations.used = photometry.shadow                   ? parameters
+                   : m_settings.bend                   ? shadowAt
+                   : m_memory.blocks.surrounds.empty() ? surroundAt
+                                                       : bendAt;
   Sums sums(m_memory.trialSums, static_cast<std::size_t>(equations.used), formsProducts);
   m_memory.trial.clear();
   DarknessLanes darkness;
@@ -232,7 +238,7 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
     equations.matrix = m_matrix;
   }
   m_trialHasProducts = formsProducts;
-  constrain(photometry, noise, equations);
+  constrain(plane, photometry, noise, equations);
   return equations;
 }
 
@@ -247,12 +253,13 @@ void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry
   });
 }
 
-double Likelihood::priorCost(const Photometry &photometry, double noise) const
+double Likelihood::priorCost(const MarkerPlane &plane, const Photometry &photometry, double noise) const
 {
   const double u =
       m_settings.growth && !m_isOverExposed ? std::log(photometry.gamma) / gammaPriorAt(photometry.blur) : 0.;
   const double v = m_settings.growth ? photometry.blur.spread / spreadPrior : 0.;
-  double cost = u * u + v * v + cauchyCost(photometry.blur.elongation, elongationPrior) +
+  const double w = (plane.bend.bow * plane.bend.bow + plane.bend.saddle.squaredNorm()) / (bendPrior * bendPrior);
+  double cost = u * u + v * v + w + cauchyCost(photometry.blur.elongation, elongationPrior) +
                 cauchyCost(photometry.lightGradient, gradientPrior);
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     const double s = (photometry.surround[shape] - expectedSurround[shape]) / surroundPrior;
@@ -263,7 +270,8 @@ double Likelihood::priorCost(const Photometry &photometry, double noise) const
 
 // Priors on gamma and spread; parameters that are not fitted are taken out of the equations, and a 1 on the diagonal
 // keeps these solvable.
-void Likelihood::constrain(const Photometry &photometry, double noise, Equations &equations) const
+void Likelihood::constrain(const MarkerPlane &plane, const Photometry &photometry, double noise,
+                           Equations &equations) const
 {
   const double surroundWeight = noise * noise / (surroundPrior * surroundPrior);
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
@@ -271,7 +279,7 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
     equations.matrix(at, at) += surroundWeight;
     equations.right[at] -= surroundWeight * (photometry.surround[shape] - expectedSurround[shape]);
   }
-  equations.cost += priorCost(photometry, noise);
+  equations.cost += priorCost(plane, photometry, noise);
   addCauchy(photometry.blur.elongation, elongationPrior, noise, elongationAt, equations);
   addCauchy(photometry.lightGradient, gradientPrior, noise, gradientAt, equations);
   const auto hold = [&equations](int at) {
@@ -296,6 +304,12 @@ void Likelihood::constrain(const Photometry &photometry, double noise, Equations
   }
   if (!m_settings.spinIsKnown) {
     hold(spinAt);
+  }
+  const Eigen::Vector3d bend(plane.bend.bow, plane.bend.saddle.x(), plane.bend.saddle.y());
+  for (int k = 0; k < bendSize; ++k) {
+    const double weight = noise * noise / (bendPrior * bendPrior);
+    equations.matrix(bendAt + k, bendAt + k) += weight;
+    equations.right[bendAt + k] -= m_settings.bend ? weight * bend[k] : 0.;
   }
   // Of a shadow whose edge passes beside the marker not everything is known.
   for (int k = 0; k < shadowSize; ++k) {

@@ -65,6 +65,13 @@ struct Explanation
   double inliers = 0.;     //!< Share of the pixels that the model explains, in [0, 1].
 };
 
+/*! Covariance of the pose by what neighbouring pixels pull together: Likelihood::coherentCovariance(). */
+struct CoherentCovariance
+{
+  Eigen::Matrix<double, poseSize, poseSize> covariance; //!< If the noise had variance 1.
+  double ratio = 1.; //!< To that of independent pixels, mean over the pose's parameters; 1 if that is within chance.
+};
+
 /*! The robust likelihood of the pixels of a marker as a function of pose, light, contrast and blur. */
 class Likelihood
 {
@@ -112,8 +119,8 @@ public:
     \param noise : Grey levels.
     \param used : Number of parameters, the first ones, that any pixel depends on.
   */
-  Eigen::Matrix<double, poseSize, poseSize>
-  coherentCovariance(const ParameterMatrix &inverse, const ParameterVector &step, double noise, int used) const;
+  CoherentCovariance coherentCovariance(const ParameterMatrix &inverse, const ParameterVector &step, double noise,
+                                        int used) const;
 
   /*! The residuals at a pose, without equations. */
   void evaluate(const MarkerPlane &plane, const Photometry &photometry);
@@ -125,15 +132,15 @@ public:
   double unevenShareOfResiduals(double noise) const;
 
   /*! Cost of the residuals kept at a noise. */
-  double costOfResiduals(const Photometry &photometry, double noise) const;
+  double costOfResiduals(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
 
   /*! How well the residuals kept leave the image explained. */
   Explanation explain(double noise) const;
 
 private:
   Equations pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts);
-  double priorCost(const Photometry &photometry, double noise) const;
-  void constrain(const Photometry &photometry, double noise, Equations &equations) const;
+  double priorCost(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
+  void constrain(const MarkerPlane &plane, const Photometry &photometry, double noise, Equations &equations) const;
 
   const MarkerPattern &m_pattern; //!< The print that explains the pixels.
   FitSettings m_settings;         //!< What is fitted.

@@ -115,12 +115,12 @@ public:
     }
     if (isVisible(trial->plane) && isPrint(trial->photometry) && isTaken(*trial)) {
       // While the noise comes down, all residuals are outliers to the rival's: their cost tells nothing.
-      if (m_descent.isDown() && m_race.isLost(m_likelihood, trial->photometry)) {
+      if (m_descent.isDown() && m_race.isLost(m_likelihood, trial->plane, trial->photometry)) {
         return FitState::ENDED;
       }
       if (!m_descent.isOver()) {
         m_noise = m_descent.next(m_likelihood);
-        m_equations.cost = m_likelihood.costOfResiduals(trial->photometry, m_noise);
+        m_equations.cost = m_likelihood.costOfResiduals(trial->plane, trial->photometry, m_noise);
       }
       return FitState::GOES_ON;
     }
@@ -257,7 +257,7 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
   }
   likelihood.correct(fit.plane, fit.photometry);
   likelihood.evaluate(fit.plane, fit.photometry);
-  return likelihood.costOfResiduals(fit.photometry, noise);
+  return likelihood.costOfResiduals(fit.plane, fit.photometry, noise);
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

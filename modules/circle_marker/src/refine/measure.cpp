@@ -20,6 +20,7 @@
 #include <array>
 #include <cmath>
 
+#include "refine/bent_sheet.h"
 #include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"
 #include "refine/shadow.h"
@@ -40,15 +41,18 @@ constexpr double leastInliers = 0.5;
 constexpr double manyPixels = 20000.;
 // How far the fits on all pixels may go from the coarse ones until their pixels are sorted anew, pixels.
 constexpr double fineError = 0.6;
-// Steps on all pixels of a marker whose code is not certain: the right one settles in fewer, and most are no markers.
-constexpr int iterationsUncertain = 10;
 // A ring whose edges are explained only by a gamma beyond that of cameras is another ring; here, its logarithm.
 constexpr double mostLogGamma = 1.;
-// What is no marker, teeth on a ring, stripes, is explained by a gamma as far as it may go, by ink that has run by
-// millimetres, or by a light that ends on the marker: the logarithm of the first, noise included, and the second in
-// outer radii.
-constexpr double mostLogGammaInNoise = 1.1;
+// What is no marker, teeth on a ring, stripes, is explained by ink that has run by millimetres, by a sheet that is bent
+// as if around a bucket, or by a light that ends on the marker: the spread in outer radii, and the coefficients of
+// SheetBend.
 constexpr double mostSpread = 0.03;
+constexpr double mostBend = 0.12;
+// And by a blur as wide as the marker: its standard deviation in outer radii. That of a motion or a disc of half a
+// radius is less than a third of this.
+constexpr double mostBlur = 0.6;
+// Or by one of another size than was seen, by this factor of the distance.
+constexpr double mostNearer = 1.5;
 // Of markers below this radius, pixels, both poses are refined: all pixels cost little more than the few, and a coarse
 // fit that was stuck made the right pose of some markers of 16 pixels hopeless.
 constexpr double leastHopelessSize = 20.;
@@ -109,7 +113,7 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, Fit
   return ranked;
 }
 
-// Whether there are light, ink and cameras as the fit has them.
+// Whether there are light, ink and paper as the fit has them.
 bool isPlausible(const FittedPose &fit, const MarkerInImage &view)
 {
   // The light's change from the centre to where two radii of the ring end that are conjugate in its image: no more than
@@ -119,8 +123,11 @@ bool isPlausible(const FittedPose &fit, const MarkerInImage &view)
     const Eigen::Vector2d end = view.camera.toPixel(fit.plane.project(Eigen::Vector2d::Unit(i)));
     change[i] = fit.photometry.lightGradient.dot(end - view.frame.center) / view.frame.size;
   }
-  return change.norm() < 1. && std::abs(std::log(fit.photometry.gamma)) < mostLogGammaInNoise &&
-         std::abs(fit.photometry.blur.spread) < mostSpread;
+  const double nearer = view.marker.poses[0].center.norm() / fit.plane.center.norm();
+  const SheetBend &bend = fit.plane.bend;
+  return change.norm() < 1. && std::abs(fit.photometry.blur.spread) < mostSpread &&
+         std::hypot(bend.bow, bend.saddle.norm()) < mostBend &&
+         fit.photometry.blur.widest() < mostBlur * view.frame.size && std::max(nearer, 1. / nearer) < mostNearer;
 }
 
 // Whether the best fit explains the image.
@@ -154,9 +161,6 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   settings.spinIsKnown = pattern.sectors > 0;
   settings.poseError = fineError;
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
-  if (!marker.isCertain) {
-    settings.mostIterations = iterationsUncertain;
-  }
   const MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
   if (!marker.seen) { // what covers a marker looks like the edge of a shadow
     settings.shadow = shadowOn(I, camera, view.frame, marker.poses[0], marker.family.getLayout().quietZone);
@@ -174,6 +178,9 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
       fits.pop_back();
     }
     ranked = fitAllPixels(view, ranked, settings, pattern, memory);
+    if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && !marker.seen && pattern.sectors > 0) {
+      ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
+    }
   }
   const Few<FittedPose> &fits = ranked.fits;
   if (fits.empty() || !isExplained(fits[0], view, refine)) {

@@ -23,11 +23,16 @@ inline namespace CIRCLE_MARKER_LANES {
 PlaneHomography::PlaneHomography(const MarkerPlane &plane, const ImageReference &reference,
                                  const Eigen::Matrix2d &blurShape)
     : m_suu(static_cast<float>(blurShape(0, 0))), m_suv(static_cast<float>(blurShape(0, 1))),
-      m_svv(static_cast<float>(blurShape(1, 1)))
+      m_svv(static_cast<float>(blurShape(1, 1))), m_isBent(plane.bend.isAny()),
+      m_bow(static_cast<float>(plane.bend.bow)), m_saddleX(static_cast<float>(plane.bend.saddle.x())),
+      m_saddleY(static_cast<float>(plane.bend.saddle.y()))
 {
   // The camera's centre and the ray m = (x, y, 1) in the marker's frame meet its plane at
   // q = (c_x n - c_z e_x, c_y n - c_z e_y) m / (n m), with the frame's axes e_x, e_y, n in that of the camera.
   const Eigen::Vector3d c = -plane.rotation.transpose() * plane.center / plane.radius;
+  m_cx = static_cast<float>(c.x());
+  m_cy = static_cast<float>(c.y());
+  m_perDepth = static_cast<float>(-1. / c.z());
   const Eigen::Vector3d normal = plane.rotation.col(2);
   const Eigen::Vector3d origin(reference.meter.x(), reference.meter.y(), 1.);
   const double perSlope = 1. / normal.dot(origin);

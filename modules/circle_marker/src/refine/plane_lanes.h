@@ -23,6 +23,8 @@
 #ifndef VP_CIRCLE_MARKER_PLANE_LANES_H
 #define VP_CIRCLE_MARKER_PLANE_LANES_H
 
+#include <utility>
+
 #include "pose/marker_plane.h"
 #include "refine/lanes.h"
 
@@ -88,6 +90,9 @@ public:
     point.qxByV = m_suv * qxByU + m_svv * qxByV;
     point.qyByU = m_suu * qyByU + m_suv * qyByV;
     point.qyByV = m_suv * qyByU + m_svv * qyByV;
+    if (m_isBent) {
+      bend(point);
+    }
     // At the very centre the direction does not matter: no edge is near.
     point.radius = (point.qx * point.qx + point.qy * point.qy).max(1e-12f).sqrt();
     const Lanes perRadius = point.radius.inverse();
@@ -106,12 +111,60 @@ public:
     const Lanes alongV = m_suv * u + m_svv * v;
     const Lanes x = (place.xByU * alongU + place.xByV * alongV) * perSlope;
     const Lanes y = (place.yByU * alongU + place.yByV * alongV) * perSlope;
-    return {m_axx * x + m_axy * y, m_ayx * x + m_ayy * y, m_wx * x + m_wy * y};
+    const DirectionLanes direction = {m_axx * x + m_axy * y, m_ayx * x + m_ayy * y, m_wx * x + m_wy * y};
+    if (!m_isBent) {
+      return direction;
+    }
+    // Straight lines of the image are bent on the sheet: by their direction, at the pixel.
+    PlaneLanes point;
+    point.qx = (m_axx * place.x + m_axy * place.y + m_bx) * perSlope;
+    point.qy = (m_ayx * place.x + m_ayy * place.y + m_by) * perSlope;
+    point.qxByU = direction.x - direction.w * point.qx;
+    point.qyByU = direction.y - direction.w * point.qy;
+    point.qxByV.setZero();
+    point.qyByV.setZero();
+    bend(point);
+    return {point.qxByU + direction.w * point.qx, point.qyByU + direction.w * point.qy, direction.w};
   }
 
 private:
+  // From where rays meet the plane to where they meet the sheet: see planePoint().
+  void bend(PlaneLanes &point) const
+  {
+    const Lanes slantX = m_perDepth * (point.qx - m_cx);
+    const Lanes slantY = m_perDepth * (point.qy - m_cy);
+    Lanes x = point.qx;
+    Lanes y = point.qy;
+    Lanes slopeX, slopeY, height;
+    for (int i = 0; i <= SheetBend::steps; ++i) {
+      slopeX = (m_bow + m_saddleX) * x + m_saddleY * y;
+      slopeY = (m_bow - m_saddleX) * y + m_saddleY * x;
+      const Lanes along = x * slopeX + y * slopeY;
+      height = 0.5f * (along - m_bow);
+      if (i < SheetBend::steps) {
+        x = point.qx + height * slantX + (1.f / 6.f) * along * slopeX;
+        y = point.qy + height * slantY + (1.f / 6.f) * along * slopeY;
+      }
+    }
+    point.qx = x;
+    point.qy = y;
+    const Lanes longer = 1.f + m_perDepth * height;
+    const Lanes perRest = (1.f - slopeX * slantX - slopeY * slantY).inverse();
+    for (const auto &[byX, byY] : {std::pair<Lanes &, Lanes &>(point.qxByU, point.qyByU),
+                                   std::pair<Lanes &, Lanes &>(point.qxByV, point.qyByV)}) {
+      byX = longer * byX;
+      byY = longer * byY;
+      const Lanes higher = perRest * (slopeX * byX + slopeY * byY);
+      byX += slantX * higher;
+      byY += slantY * higher;
+    }
+  }
+
   float m_axx, m_axy, m_ayx, m_ayy, m_bx, m_by, m_wx, m_wy;
   float m_suu, m_suv, m_svv; // of the blur's shape
+  bool m_isBent;
+  float m_bow, m_saddleX, m_saddleY; // of the sheet
+  float m_cx, m_cy, m_perDepth;      // camera's centre in the marker's frame, in radii; 1 / |c_z|
 };
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

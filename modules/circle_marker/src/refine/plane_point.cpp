@@ -33,6 +33,17 @@ PlanePoint planePoint(const ModelPixel &pixel, const MarkerPlane &plane)
     const Eigen::Vector3d byRay = depth * (e - e.dot(ray) / slope * normal) / plane.radius;
     point.byPixel.row(axis) = byRay.head<2>().transpose() * pixel.meterPerPixel;
   }
+  if (plane.bend.isAny()) {
+    // q' = q + h(q') s with the ray's slant s, whose own derivative is that of q over the camera's distance; the shift
+    // along the plane changes it by some ten thousandths only.
+    const Eigen::Vector2d slant = plane.slantAt(point.q);
+    point.q = plane.bend.seenAt(point.q, slant);
+    const double height = plane.bend.height(point.q);
+    const Eigen::Vector2d slope = plane.bend.slope(point.q);
+    const double perDepth = plane.radius / normal.dot(plane.center);
+    point.byPixel *= 1. + height * perDepth;
+    point.byPixel += slant * (slope.transpose() * point.byPixel).eval() / (1. - slope.dot(slant));
+  }
   return point;
 }
 } // namespace circle_marker

@@ -93,9 +93,9 @@ double Likelihood::unevenShareOfResiduals(double noise) const
   return std::clamp(std::sqrt(std::max(squares / pixels, 0.)), leastUneven, mostUneven);
 }
 
-double Likelihood::costOfResiduals(const Photometry &photometry, double noise) const
+double Likelihood::costOfResiduals(const MarkerPlane &plane, const Photometry &photometry, double noise) const
 {
-  double cost = priorCost(photometry, noise);
+  double cost = priorCost(plane, photometry, noise);
   std::size_t k = 0;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
     const LossLanes loss = biweight(m_memory.residuals[k++], block.variance, static_cast<float>(noise));

@@ -1,0 +1,79 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Fits of a marker whose sheet is bent.
+ */
+
+#include "refine/bent_sheet.h"
+
+#include <algorithm>
+
+#include "refine/fit_starts.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Log-odds by which a bent sheet explains the pixels better than a flat one. Three more numbers do by 8 of their own
+// accord once in 1000 markers.
+constexpr double leastGain = 8.;
+// And to what share of before the parts of the print pull the pose apart: what covers a marker is explained a little by
+// a bend as well, but the parts pull it apart as before.
+constexpr double mostCoherence = 0.5;
+
+// The pose that may have looked hopeless because the sheet is not flat is fitted, too.
+RankedFits withMirrored(const std::vector<FitPixel> &pixels, const RankedFits &flat, const MarkerPattern &pattern,
+                        const FitSettings &settings, Fitter &fitter)
+{
+  const FittedPose &best = flat.fits[0];
+  Few<FitStart> starts;
+  starts.push_back({mirrored(best.plane), best.photometry, flat.noise});
+  Few<FittedPose> fits = fitAll(pixels, starts, pattern, settings, fitter, best);
+  fits.push_back(best);
+  RankedFits ranked = rank(pixels, pattern, true, fits, fitter);
+  keepTwo(ranked);
+  return ranked;
+}
+} // namespace
+
+RankedFits fitBent(const std::vector<FitPixel> &pixels, const RankedFits &fits, const MarkerPattern &pattern,
+                   FitSettings settings, Fitter &fitter)
+{
+  settings.samePixels = true;
+  const RankedFits flat = fits.fits.size() > 1 ? fits : withMirrored(pixels, fits, pattern, settings, fitter);
+  const FittedPose &rival = flat.fits[0];
+  if (rival.coherence <= 1.) {
+    return flat;
+  }
+  settings.bend = true;
+  Few<FitStart> starts;
+  for (const FittedPose &fit : flat.fits) {
+    starts.push_back({fit.plane, fit.photometry, flat.noise});
+  }
+  Few<FittedPose> bent = fitAll(pixels, starts, pattern, settings, fitter);
+  bent.push_back(rival);
+  RankedFits ranked = rank(pixels, pattern, true, bent, fitter);
+  const auto isFlat = [](const FittedPose &fit) { return !fit.plane.bend.isAny(); };
+  FittedPose *const last = std::find_if(ranked.fits.begin(), ranked.fits.end(), isFlat);
+  const FittedPose &best = ranked.fits[0];
+  const double gain = (last->squares - best.squares) / (2. * ranked.noise * ranked.noise);
+  if (gain < leastGain || best.coherence > std::max(mostCoherence * rival.coherence, 1.)) {
+    return flat;
+  }
+  std::rotate(last, last + 1, ranked.fits.end());
+  ranked.fits.pop_back();
+  keepTwo(ranked);
+  return ranked;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
