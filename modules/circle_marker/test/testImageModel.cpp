@@ -276,14 +276,19 @@ void expectDerivatives(double leastDiameter, double mostDiameter, double precisi
             step = 0.01 * pixelSize / scene.radius;
             changed.spread += h * pixelSize / scene.radius;
           }
-          else {
+          else if (parameter < 10) {
             changed.elongate(h * Eigen::Vector2d::Unit(parameter - 8));
+          }
+          else {
+            step = 0.01 * pixelSize / scene.radius;
+            const Eigen::Vector3d bend = h * pixelSize / scene.radius * Eigen::Vector3d::Unit(parameter - 10);
+            plane.bend = {bend.x(), bend.tail<2>()};
           }
           values[sign] = darknessAt(pixel, plane, pattern, changed).value;
         }
         return (values[1] - values[0]) / (2. * step);
       };
-      constexpr int count = 10; // of parameters
+      constexpr int count = 13; // of parameters
       std::array<double, count> largest{};
       std::array<double, count> worst{};
       std::array<double, count> worstAtCorners{};
@@ -302,7 +307,8 @@ void expectDerivatives(double leastDiameter, double mostDiameter, double precisi
           const double analytic = parameter < 6    ? darkness.byPose[parameter]
                                   : parameter == 6 ? darkness.bySigma
                                   : parameter == 7 ? darkness.bySpread
-                                                   : darkness.byElongation[parameter - 8];
+                                  : parameter < 10 ? darkness.byElongation[parameter - 8]
+                                                   : darkness.byBend[parameter - 10];
           const double numeric = difference(pixel, parameter);
           largest[p] = std::max(largest[p], std::fabs(numeric));
           double &most = seesCorners ? worstAtCorners[p] : worst[p];
@@ -312,11 +318,12 @@ void expectDerivatives(double leastDiameter, double mostDiameter, double precisi
       // What a sharp edge's derivative is like: the sample may have met no edge.
       const double common = 0.4 / blur.sigma;
       for (std::size_t p = 0; p < count; ++p) {
-        const double scale = p < 3 ? common / pixelSize : p < 6 || p == 7 ? common * scene.radius / pixelSize : common;
+        const bool isLength = (p >= 3 && p < 6) || p == 7 || p >= 10;
+        const double scale = p < 3 ? common / pixelSize : isLength ? common * scene.radius / pixelSize : common;
         const double size = std::max(largest[p], scale);
         EXPECT_LT(worst[p], precision * size) << family.getName() << " parameter " << p << " sigma " << blur.sigma;
         // How the blur's elongation changes what rims bend away at corners is not in the derivative.
-        const double atCorners = p < 8 ? precision : std::max(precision, 0.1);
+        const double atCorners = p < 8 || p >= 10 ? precision : std::max(precision, 0.1);
         EXPECT_LT(worstAtCorners[p], atCorners * size)
             << family.getName() << " parameter " << p << " sigma " << blur.sigma << " at corners";
       }

@@ -31,12 +31,17 @@ constexpr unsigned int side = 130;
 TEST(PlaneLanes, AgreesWithTheRay)
 {
   Random random = randomOfTest();
-  for (int i = 0; i < 50; ++i) {
+  for (int i = 0; i < 100; ++i) {
     const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1,
                                           uniform(random, 20., 110.), uniform(random, 0., 1.2), side);
+    MarkerPlane plane = scene.plane();
+    if (i % 2 == 1) { // bent
+      plane.bend.bow = uniform(random, -0.02, 0.02);
+      plane.bend.saddle = Eigen::Vector2d(uniform(random, -0.02, 0.02), uniform(random, -0.02, 0.02));
+    }
     const CameraModel camera(scene.camera());
     const ImageReference reference = {camera.toMeter(Eigen::Vector2d(60., 70.)), 1. / scene.focal};
-    const PlaneHomography homography(scene.plane(), reference, Eigen::Matrix2d::Identity());
+    const PlaneHomography homography(plane, reference, Eigen::Matrix2d::Identity());
     PlaceLanes place;
     std::array<ModelPixel, laneCount> pixels;
     for (int lane = 0; lane < laneCount; ++lane) {
@@ -54,7 +59,7 @@ TEST(PlaneLanes, AgreesWithTheRay)
     homography.apply(place, point);
     for (int lane = 0; lane < laneCount; ++lane) {
       // A thousandth of a pixel, where a pixel is a 10th to a 55th of the radius, and more at the far side of a tilt.
-      const PlanePoint truth = planePoint(pixels[static_cast<std::size_t>(lane)], scene.plane());
+      const PlanePoint truth = planePoint(pixels[static_cast<std::size_t>(lane)], plane);
       const double perPixel = truth.byPixel.norm();
       EXPECT_NEAR(point.qx[lane], truth.q.x(), 1e-3 * perPixel);
       EXPECT_NEAR(point.qy[lane], truth.q.y(), 1e-3 * perPixel);
@@ -65,6 +70,30 @@ TEST(PlaneLanes, AgreesWithTheRay)
       EXPECT_NEAR(point.radius[lane], truth.q.norm(), 1e-3 * perPixel);
       const double gradient = (truth.byPixel.transpose() * truth.q.normalized()).norm();
       EXPECT_NEAR(point.gradient[lane], gradient, 1e-3 * perPixel);
+    }
+  }
+}
+
+// The derivative of what the ray through a pixel meets, by differences over a hundredth of a pixel.
+TEST(PlaneLanes, DerivativeOnABentSheetAgreesWithDifferences)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 100; ++i) {
+    const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1,
+                                          uniform(random, 20., 110.), uniform(random, 0., 1.2), side);
+    MarkerPlane plane = scene.plane();
+    plane.bend.bow = uniform(random, -0.02, 0.02);
+    plane.bend.saddle = Eigen::Vector2d(uniform(random, -0.02, 0.02), uniform(random, -0.02, 0.02));
+    const CameraModel camera(scene.camera());
+    const Eigen::Vector2d where = camera.toPixel(plane.project(Eigen::Vector2d(uniform(random, -1., 1.), 0.5)));
+    const PlanePoint point = planePoint({camera.toMeter(where), camera.meterPerPixel(where)}, plane);
+    EXPECT_LT((point.q - plane.intersect(camera.toMeter(where))).norm(), 1e-12);
+    for (int axis = 0; axis < 2; ++axis) {
+      const Eigen::Vector2d step = 0.005 * Eigen::Vector2d::Unit(axis);
+      const Eigen::Vector2d difference =
+          (plane.intersect(camera.toMeter(where + step)) - plane.intersect(camera.toMeter(where - step))) / 0.01;
+      // The shift along the plane is not in it: some ten thousandths.
+      EXPECT_LT((difference - point.byPixel.col(axis)).norm(), 2e-3 * point.byPixel.norm());
     }
   }
 }

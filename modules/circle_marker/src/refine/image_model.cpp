@@ -248,7 +248,7 @@ Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const Mar
   photometry.blur = blur;
   PixelBlocks blocks;
   packPixels({single}, plane, pattern, photometry, 0., 0., mostBorders, blocks);
-  const ImageModel model(plane, pattern, blur, blocks);
+  const ImageModel model(plane, pattern, blur, blocks, true);
   Darkness darkness;
   for (std::size_t kind = 0; kind < pixelSights; ++kind) {
     if (blocks.count[kind] == 0) {
@@ -263,6 +263,7 @@ Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const Mar
     darkness.bySigma = lanes.bySigma[0];
     darkness.byElongation << lanes.byElongation[0][0], lanes.byElongation[1][0];
     darkness.bySpread = lanes.bySpread[0];
+    darkness.byBend << lanes.byBend[0][0], lanes.byBend[1][0], lanes.byBend[2][0];
   }
   return darkness;
 }

@@ -143,6 +143,7 @@ struct Darkness
   double bySigma = 0.;                                    //!< 1 / pixel.
   Eigen::Vector2d byElongation = Eigen::Vector2d::Zero(); //!< By a step of BlurParameters::elongate().
   double bySpread = 0.;                                   //!< 1 / radius.
+  Eigen::Vector3d byBend = Eigen::Vector3d::Zero();       //!< By the bow and the saddle of the sheet (SheetBend).
 };
 
 /*! Evaluates the model at one pixel. */

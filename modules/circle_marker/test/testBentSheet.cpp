@@ -1,0 +1,131 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Markers on sheets that are bent, and on those that are not.
+ */
+
+#include "testRoomTools.h"
+
+#include "refine/measure.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr unsigned int side = 150;
+
+//! A scene on paper that is bent about an axis through the marker's centre: seen by rays that meet a cylinder.
+struct BentScene
+{
+  MarkerScene flat;
+  double curvature = 0.; // 1 / radius of the cylinder, by the marker's; positive: its edges lie away from the camera
+  double across = 0.;    // direction across the axis on the marker, rad
+
+  double operator()(double u, double v) const
+  {
+    const Eigen::Vector3d ray((u - flat.principal.x()) / flat.focal, (v - flat.principal.y()) / flat.focal, 1.);
+    const Eigen::Vector3d camera = -flat.rotation.transpose() * flat.center / flat.radius;
+    const Eigen::Vector3d way = flat.rotation.transpose() * ray;
+    const Eigen::Vector2d n(std::cos(across), std::sin(across));
+    // By Newton's method from where the plane is: the height of the paper over the place that is reached.
+    double depth = -camera.z() / way.z();
+    for (int i = 0; i < 6; ++i) {
+      const Eigen::Vector3d p = camera + depth * way;
+      const double s = n.dot(p.head<2>());
+      const double root = std::sqrt(1. - std::pow(curvature * s, 2.));
+      const double height = (1. - root) / curvature - 0.25 * curvature;
+      depth -= (p.z() - height) / (way.z() - curvature * s / root * n.dot(way.head<2>()));
+    }
+    const Eigen::Vector2d p = (camera + depth * way).head<2>();
+    const double s = n.dot(p);
+    const Eigen::Vector2d q = p + (std::asin(curvature * s) / curvature - s) * n; // along the paper
+    if (q.cwiseAbs().maxCoeff() > flat.sheet) {
+      return flat.surround;
+    }
+    return flat.isBlack(q) ? flat.black : flat.white;
+  }
+};
+
+Recognition recognised(const MarkerScene &scene, int id, bool twinFirst)
+{
+  Recognition marker;
+  marker.family = scene.family;
+  marker.code.id = id;
+  marker.ringInner = scene.family.getLayout().ringInner;
+  const MarkerPlane truth = scene.plane();
+  marker.poses = {twinFirst ? twinOf(truth) : truth, twinFirst ? truth : twinOf(truth)};
+  return marker;
+}
+
+//! Squared Mahalanobis distance of the true pose, (t, w) about the marker's centre in the camera frame.
+double squaredDistance(const FittedPose &fit, const MarkerScene &scene)
+{
+  Eigen::Matrix<double, 6, 1> error;
+  const Eigen::AngleAxisd turn(scene.rotation * fit.plane.rotation.transpose());
+  error << scene.center - fit.plane.center, turn.angle() * turn.axis();
+  return error.dot(fit.covariance.ldlt().solve(error));
+}
+} // namespace
+
+// Of 60 to 90 pixels a marker that is bowed by a 60th to a 25th of its radius is read to its noise: the pose has the
+// covariance reported, and the bend is found.
+TEST(BentSheet, PoseAndBendAreFound)
+{
+  Random random = randomOfTest();
+  constexpr int count = 60;
+  double squares = 0.;
+  int bent = 0;
+  for (int i = 0; i < count; ++i) {
+    const vpCircleMarkerFamily family(i % 2 == 0 ? vpCircleMarkerFamily::GOLAY23 : vpCircleMarkerFamily::BCH31R);
+    const int id = static_cast<int>(random() % family.getNbIds());
+    BentScene scene;
+    scene.flat = markerScene(random, family, id, uniform(random, 60., 90.), uniform(random, 0.5, 1.), side);
+    scene.curvature = (i % 4 < 2 ? 1. : -1.) * uniform(random, 0.03, 0.08);
+    scene.across = uniform(random, 0., M_PI);
+    const vpImage<unsigned char> I = digitise(expose(side, side, 0.7, scene), 2., random);
+    MeasureMemory memory;
+    const auto result =
+        measure(I, CameraModel(scene.flat.camera()), recognised(scene.flat, id, i % 3 == 0), true, memory);
+    ASSERT_TRUE(result) << i;
+    const FittedPose &fit = result->first;
+    EXPECT_LT((fit.plane.center - scene.flat.center).norm(), 0.004 * scene.flat.center.z()) << i;
+    squares += squaredDistance(fit, scene.flat) / count;
+    bent += fit.plane.bend.isAny() ? 1 : 0;
+    if (fit.plane.bend.isAny()) {
+      const Eigen::Vector2d saddle =
+          0.5 * scene.curvature * Eigen::Vector2d(std::cos(2. * scene.across), std::sin(2. * scene.across));
+      EXPECT_LT((fit.plane.bend.saddle - saddle).norm(), 0.015) << i << ", curvature " << scene.curvature;
+      EXPECT_NEAR(fit.plane.bend.bow, 0.5 * scene.curvature, 0.02) << i;
+    }
+  }
+  EXPECT_GT(bent, 0.9 * count);
+  EXPECT_LT(squares, 6. * 1.3);
+}
+
+// A flat sheet stays flat: its pose would be known less well with a bend.
+TEST(BentSheet, FlatSheetsStayFlat)
+{
+  Random random = randomOfTest();
+  int bent = 0;
+  for (int i = 0; i < 60; ++i) {
+    const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+    const MarkerScene scene = markerScene(random, family, i, uniform(random, 50., 100.), uniform(random, 0., 1.), side);
+    MeasureMemory memory;
+    const auto result = measure(digitise(expose(side, side, 0.7, scene), uniform(random, 1., 5.), random),
+                                CameraModel(scene.camera()), recognised(scene, i, i % 2 == 0), true, memory);
+    ASSERT_TRUE(result) << i;
+    bent += result->first.plane.bend.isAny() ? 1 : 0;
+  }
+  EXPECT_LE(bent, 1);
+}
