@@ -86,6 +86,9 @@ TEST(GreyModel, DerivativesByTheLightAgreeWithDifferences)
     darkness.byElongation[0].setOnes();
     darkness.byElongation[1].setOnes();
     darkness.bySpread.setOnes();
+    for (Lanes &lanes : darkness.byBend) {
+      lanes.setOnes();
+    }
     RowLanes row;
     rowOf(block, nullptr, photometry, darkness, greyOf(block, nullptr, photometry, darkness.value), row);
     constexpr double h = 1e-3;
@@ -109,7 +112,7 @@ TEST(GreyModel, DerivativesByTheLightAgreeWithDifferences)
     }
     // And by the share of black, as all that moves edges does.
     const double numeric = (greyAt(photometry, offset, black + h) - greyAt(photometry, offset, black - h)) / (2. * h);
-    for (const int parameter : {0, 5, sigmaAt, elongationAt, elongationAt + 1, spreadAt}) {
+    for (const int parameter : {0, 5, sigmaAt, elongationAt, elongationAt + 1, spreadAt, bendAt, bendAt + 2}) {
       EXPECT_NEAR(static_cast<double>(row[static_cast<std::size_t>(parameter)][0]), numeric,
                   0.01 * std::abs(numeric) + 0.2)
           << "parameter " << parameter;

@@ -23,10 +23,10 @@
   \f[ I = l \, (s \, (1 - a D))^\gamma, \quad s = 1 + s_u u + s_v v, \f]
   with D the share of black (image_model.h), l the grey level of white paper at the marker's centre, s the light, with a
   linear gradient, a the share of it that ink takes and \f$ \gamma \f$ the camera's gamma; where the edge of a shadow
-  falls on the marker, s falls along it. Pose, light, ink, gamma, blur and a spread of the ink common to all edges are
-  fitted together by Levenberg-Marquardt; what the model does not explain, such as an occluder, gets no weight (Tukey's
-  biweight). The noise is taken from the residuals, so that the covariance is right for any camera: \f$ \Sigma = s^2
-  (J^T W J)^{-1} \f$, its rows and columns of the pose.
+  falls on the marker, s falls along it. Pose, light, ink, gamma, blur, a spread of the ink common to all edges and,
+  where it is asked for, the bend of the sheet are fitted together by Levenberg-Marquardt; what the model does not
+  explain, such as an occluder, gets no weight (Tukey's biweight). The noise is taken from the residuals, so that the
+  covariance is right for any camera: \f$ \Sigma = s^2 (J^T W J)^{-1} \f$, its rows and columns of the pose.
 */
 
 #ifndef VP_CIRCLE_MARKER_MAXIMUM_LIKELIHOOD_H
