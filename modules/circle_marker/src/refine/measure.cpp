@@ -131,12 +131,12 @@ bool isPlausible(const FittedPose &fit, const MarkerInImage &view)
 }
 
 // Whether the best fit explains the image.
-bool isExplained(const FittedPose &best, const MarkerInImage &view, bool refine)
+bool isExplained(const FittedPose &best, const MarkerInImage &view, bool hasCode, bool refine)
 {
   if (!refine) {
     return best.correlation >= leastCorrelationUnrefined && best.inliers >= leastInliers;
   }
-  const double least = view.marker.family.isCoded() ? leastCorrelation : leastCorrelationWithoutCode;
+  const double least = hasCode ? leastCorrelation : leastCorrelationWithoutCode;
   return best.correlation >= least && best.inliers >= leastInliers && isPlausible(best, view);
 }
 
@@ -183,7 +183,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     }
   }
   const Few<FittedPose> &fits = ranked.fits;
-  if (fits.empty() || !isExplained(fits[0], view, refine)) {
+  if (fits.empty() || !isExplained(fits[0], view, pattern.sectors > 0, refine)) {
     return std::nullopt;
   }
 

@@ -66,8 +66,8 @@ BEGIN_VISP_NAMESPACE
   A circle seen by a camera has two poses with the same image of its outer edge. Both are refined and compared;
   the likelier comes first, and vpCircleMarkerDetection::logOdds says by how much.
 
-  Paper need not be flat: where a coded print shows that its sheet is bent, the bend is fitted with the pose, which is that
-  of the plane in which the ring's outer circle lies in the mean.
+  Paper need not be flat: where a coded print shows that its sheet is bent, the bend is fitted with the pose, which is
+  that of the plane in which the ring's outer circle lies in the mean.
 
   Without camera parameters, in detect(const vpImage<unsigned char> &), the codes are read with a nominal camera
   (focal length equal to the image's larger side); call getPose() afterwards.
