@@ -18,6 +18,7 @@
 #include "refine/bent_sheet.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "refine/fit_starts.h"
 
@@ -30,6 +31,16 @@ constexpr double leastGain = 8.;
 // And to what share of before the parts of the print pull the pose apart: what covers a marker is explained a little by
 // a bend as well, but the parts pull it apart as before.
 constexpr double mostCoherence = 0.5;
+
+// Paper is not stretched: it bends about one axis, and then its bow is as large as its saddle. The bow is the less well
+// known of both; what has hardly any and a large saddle, as under the edge of a shadow that was not seen, is no paper.
+constexpr double mostSaddle = 2.;    // of the bow
+constexpr double saddleError = 5e-3; // and beyond that
+
+bool isPaper(const SheetBend &bend)
+{
+  return bend.saddle.norm() < mostSaddle * std::abs(bend.bow) + saddleError;
+}
 
 // The pose that may have looked hopeless because the sheet is not flat is fitted, too.
 RankedFits withMirrored(const std::vector<FitPixel> &pixels, const RankedFits &flat, const MarkerPattern &pattern,
@@ -67,7 +78,8 @@ RankedFits fitBent(const std::vector<FitPixel> &pixels, const RankedFits &fits, 
   FittedPose *const last = std::find_if(ranked.fits.begin(), ranked.fits.end(), isFlat);
   const FittedPose &best = ranked.fits[0];
   const double gain = (last->squares - best.squares) / (2. * ranked.noise * ranked.noise);
-  if (gain < leastGain || best.coherence > std::max(mostCoherence * rival.coherence, 1.)) {
+  const bool isCoherent = best.coherence > std::max(mostCoherence * rival.coherence, 1.);
+  if (gain < leastGain || isCoherent || !isPaper(best.plane.bend)) {
     return flat;
   }
   std::rotate(last, last + 1, ranked.fits.end());
