@@ -124,6 +124,35 @@ TEST(DetectCovered, FaintOnesLeaveNoMoreThanNoise)
   }
 }
 
+// What was read without a correction, of a fit that leaves much: where its blur leaves no pixel of one sector alone, no
+// more than a share of the contrast may be left; and where there are such pixels, not nearly all may be against it.
+TEST(DetectCovered, WhatNothingConfirmsIsWrong)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 10; ++i) {
+    MarkerScene scene = markerScene(random, golay23, i, uniform(random, 50., 80.), uniform(random, 0., 0.7), side);
+    const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), noise, random);
+    MeasureMemory memory;
+    const CameraModel camera(scene.camera());
+    const Recognition marker = recognisedAs(scene, i, 0);
+    const auto measurement = measure(I, camera, marker, true, memory);
+    ASSERT_TRUE(measurement);
+    const double contrast = measurement->first.photometry.light * measurement->first.photometry.contrast();
+    const auto verdictIf = [&](const vpImage<unsigned char> &image, double sigma, double left) {
+      Measurement changed = *measurement;
+      changed.first.photometry.blur.sigma = sigma;
+      changed.first.noise = std::hypot(noise, left * contrast);
+      return judgeWhole(image, camera, noise, 1., marker, changed, memory);
+    };
+    EXPECT_EQ(verdictIf(I, 10., 0.1), WholeVerdict::WRONG) << i;
+    EXPECT_NE(verdictIf(I, 10., 0.06), WholeVerdict::WRONG) << i;
+    EXPECT_EQ(verdictIf(I, blur, 0.1), WholeVerdict::RIGHT) << i;
+    scene.word = ~scene.word;
+    const vpImage<unsigned char> opposite = digitise(expose(side, side, blur, scene), noise, random);
+    EXPECT_EQ(verdictIf(opposite, blur, 0.1), WholeVerdict::WRONG) << i;
+  }
+}
+
 // What is read without a correction is kept though something seems to cover it, if the image is like it; else what is
 // seen must tell its codeword from all others.
 TEST(DetectCovered, KeptThoughCoveredIfTheImageIsLikeIt)
