@@ -15,7 +15,7 @@
  * Markers on sheets that are bent, and on those that are not.
  */
 
-#include "testRoomTools.h"
+#include "testMeasureTools.h"
 
 #include "refine/measure.h"
 
@@ -56,17 +56,6 @@ struct BentScene
     return flat.isBlack(q) ? flat.black : flat.white;
   }
 };
-
-Recognition recognised(const MarkerScene &scene, int id, bool twinFirst)
-{
-  Recognition marker;
-  marker.family = scene.family;
-  marker.code.id = id;
-  marker.ringInner = scene.family.getLayout().ringInner;
-  const MarkerPlane truth = scene.plane();
-  marker.poses = {twinFirst ? twinOf(truth) : truth, twinFirst ? truth : twinOf(truth)};
-  return marker;
-}
 
 //! Squared Mahalanobis distance of the true pose, (t, w) about the marker's centre in the camera frame.
 double squaredDistance(const FittedPose &fit, const MarkerScene &scene)

@@ -15,7 +15,7 @@
  * Both poses of a marker, refined and compared.
  */
 
-#include "testRoomTools.h"
+#include "testMeasureTools.h"
 
 #include "refine/measure.h"
 #include "refine/report.h"
@@ -25,17 +25,6 @@ using namespace room_test;
 
 namespace {
 constexpr unsigned int side = 150;
-
-Recognition recognised(const MarkerScene &scene, int id, bool twinFirst)
-{
-  Recognition marker;
-  marker.family = scene.family;
-  marker.code.id = id;
-  marker.ringInner = scene.family.getLayout().ringInner;
-  const MarkerPlane truth = scene.plane();
-  marker.poses = {twinFirst ? twinOf(truth) : truth, twinFirst ? truth : twinOf(truth)};
-  return marker;
-}
 
 double angleBetween(const Eigen::Vector3d &a, const Eigen::Vector3d &b)
 {

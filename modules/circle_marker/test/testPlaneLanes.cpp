@@ -26,18 +26,28 @@ using namespace room_test;
 
 namespace {
 constexpr unsigned int side = 130;
+
+MarkerScene randomScene(Random &random)
+{
+  return markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, uniform(random, 20., 110.),
+                     uniform(random, 0., 1.2), side);
+}
+
+SheetBend randomBend(Random &random)
+{
+  const double bow = uniform(random, -0.02, 0.02);
+  return {bow, Eigen::Vector2d(uniform(random, -0.02, 0.02), uniform(random, -0.02, 0.02))};
+}
 } // namespace
 
 TEST(PlaneLanes, AgreesWithTheRay)
 {
   Random random = randomOfTest();
   for (int i = 0; i < 100; ++i) {
-    const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1,
-                                          uniform(random, 20., 110.), uniform(random, 0., 1.2), side);
+    const MarkerScene scene = randomScene(random);
     MarkerPlane plane = scene.plane();
-    if (i % 2 == 1) { // bent
-      plane.bend.bow = uniform(random, -0.02, 0.02);
-      plane.bend.saddle = Eigen::Vector2d(uniform(random, -0.02, 0.02), uniform(random, -0.02, 0.02));
+    if (i % 2 == 1) {
+      plane.bend = randomBend(random);
     }
     const CameraModel camera(scene.camera());
     const ImageReference reference = {camera.toMeter(Eigen::Vector2d(60., 70.)), 1. / scene.focal};
@@ -79,11 +89,9 @@ TEST(PlaneLanes, DerivativeOnABentSheetAgreesWithDifferences)
 {
   Random random = randomOfTest();
   for (int i = 0; i < 100; ++i) {
-    const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1,
-                                          uniform(random, 20., 110.), uniform(random, 0., 1.2), side);
+    const MarkerScene scene = randomScene(random);
     MarkerPlane plane = scene.plane();
-    plane.bend.bow = uniform(random, -0.02, 0.02);
-    plane.bend.saddle = Eigen::Vector2d(uniform(random, -0.02, 0.02), uniform(random, -0.02, 0.02));
+    plane.bend = randomBend(random);
     const CameraModel camera(scene.camera());
     const Eigen::Vector2d where = camera.toPixel(plane.project(Eigen::Vector2d(uniform(random, -1., 1.), 0.5)));
     const PlanePoint point = planePoint({camera.toMeter(where), camera.meterPerPixel(where)}, plane);

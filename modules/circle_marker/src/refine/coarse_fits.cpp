@@ -37,11 +37,10 @@ constexpr double muchWiderBlur = 1.5;
 constexpr double coarseError = 2.;
 // Borders of sectors that a pixel may see: of those farther away few see any.
 constexpr int coarseBorders = 3;
-// Last step, in standard deviations, and steps at most: a pose that fits badly creeps. Where there is no code, or
-// perhaps another one, even the right one may.
+// Last step, in standard deviations, and steps at most: a pose that fits badly creeps, and without a code, or with
+// another one, even the right one may.
 constexpr double coarseConvergence = 0.5;
 constexpr int coarseIterations = 6;
-constexpr int coarseIterationsUncertain = 6;
 // Looks at few pixels: those around an outline that is off by more than the blur do not show where it should be.
 constexpr int mostLooks = 3;
 constexpr double farOff = 0.8; // pixels
@@ -169,8 +168,7 @@ RankedFits fitFewPixels(const MarkerInImage &view, const MarkerPattern &pattern,
   coarse.poseError = coarseError;
   coarse.bordersSeen = coarseBorders;
   coarse.exactBends = false;
-  const bool isCodeKnown = pattern.sectors > 0 && view.marker.isCertain;
-  coarse.mostIterations = !refine ? 0 : isCodeKnown ? coarseIterations : coarseIterationsUncertain;
+  coarse.mostIterations = refine ? coarseIterations : 0;
   CoarseFits fits(view, pattern, coarse, pixels, fitter);
   const RankedFits ranked = fits.fit();
   return view.marker.seen && refine ? fits.fitMirrored(ranked) : ranked;
