@@ -96,6 +96,19 @@ TEST(LooksBlurred, MarkersThroughAStrongBlurOnly)
   }
 }
 
+// The sheet ends within the reach of the profiles, and what lies beyond is brighter than dim paper.
+TEST(LooksBlurred, ABrighterGroundIsNoBlur)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 5; ++i) {
+    MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), i, 56., 0., side);
+    scene.black = 40.;
+    scene.white = 100.;
+    scene.surround = 230.;
+    EXPECT_FALSE(looksBlurred(photograph(side, side, 0.8, scene), outlineOf(scene), true));
+  }
+}
+
 TEST(LooksBlurred, NoBlurredDiscAndNothingSmall)
 {
   Random random = randomOfTest();

@@ -48,10 +48,10 @@ constexpr double blurStep = 5e-4;
 constexpr double coherenceOfCode = 4.;
 constexpr double coherenceOfRing = 16.;
 
-// Share of what lies below an edge at \e distance (positive: inside) with a ramp of width \e width.
-double ramp(double distance, double width)
+// Share of what lies below an edge at \e distance (positive: inside), in units of the width of its ramp.
+double ramp(double distance)
 {
-  return std::clamp(distance / width + 0.5, 0., 1.);
+  return std::clamp(distance + 0.5, 0., 1.);
 }
 
 void move(const Eigen::Matrix<double, 6, 1> &twist, MarkerPlane &plane)
@@ -101,8 +101,10 @@ void BlurredMarker::setPose(const MarkerPlane &plane, const ImageBlur &blur)
   else {
     m_kernel.emplace_back(0., 0.);
   }
+  m_steps.clear();
   for (Eigen::Vector2d &point : m_kernel) {
     point = m_meterPerPixel * point;
+    m_steps.emplace_back(m_toPlane.leftCols<2>() * point);
   }
   m_sigma = std::sqrt(variance);
 }
@@ -110,34 +112,40 @@ void BlurredMarker::setPose(const MarkerPlane &plane, const ImageBlur &blur)
 void BlurredMarker::see(const BlurredSample &sample, Point &point) const
 {
   constexpr double rampPerSigma = 3.46; // a ramp of this width has a standard deviation of 1
-  const auto toPlane = [&](const Eigen::Vector2d &meter) { return Eigen::Vector3d(m_toPlane * meter.homogeneous()); };
-  const Eigen::Vector3d h = toPlane(sample.meter);
+  constexpr double leastRadius = 1e-3;  // nearer to the centre there is nothing, and no direction
+  const Eigen::Vector3d h = m_toPlane * sample.meter.homogeneous();
   const Eigen::Vector2d center = h.head<2>() / h.z();
   const Eigen::Matrix2d byPixel =
       (m_toPlane.topLeftCorner<2, 2>() - center * m_toPlane.bottomLeftCorner<1, 2>()) / h.z() * m_meterPerPixel;
+  const double width = rampPerSigma * m_sigma; // pixels
+  const Eigen::Matrix2d metric = width * width * byPixel * byPixel.transpose();
   point.ring = 0.;
   std::fill_n(point.sector.begin(), m_sectors, 0.);
   const double share = 1. / static_cast<double>(m_kernel.size());
   const double perSector = m_sectors / (2. * M_PI);
-  for (const Eigen::Vector2d &offset : m_kernel) {
-    const Eigen::Vector3d k = toPlane(sample.meter + offset);
-    const Eigen::Vector2d q = k.head<2>() / k.z();
-    const double r = std::max(q.norm(), 1e-3);
-    const Eigen::Vector2d out = q / r;
-    const double width = rampPerSigma * m_sigma * (byPixel.transpose() * out).norm();
-    point.ring += share * (ramp(1. - r, width) - ramp(m_layout.ringInner - r, width));
-    const double track = ramp(m_layout.codeOuter - r, width) - ramp(m_layout.codeInner - r, width);
+  for (const Eigen::Vector3d &step : m_steps) {
+    const double perZ = 1. / (h.z() + step.z());
+    double x = (h.x() + step.x()) * perZ;
+    const double y = (h.y() + step.y()) * perZ;
+    x = std::abs(x) + std::abs(y) < leastRadius ? leastRadius : x;
+    const double squared = x * x + y * y;
+    const double r = std::sqrt(squared);
+    // Width of a ramp across the radius: that of the blur on the print in the direction (x, y) / r.
+    const double along = metric(0, 0) * x * x + 2. * metric(0, 1) * x * y + metric(1, 1) * y * y;
+    const double perWidth = r / std::sqrt(along);
+    point.ring += share * (ramp((1. - r) * perWidth) - ramp((m_layout.ringInner - r) * perWidth));
+    const double track = ramp((m_layout.codeOuter - r) * perWidth) - ramp((m_layout.codeInner - r) * perWidth);
     if (track <= 0.) {
       continue;
     }
-    const double across = rampPerSigma * m_sigma * (byPixel.transpose() * Eigen::Vector2d(-out.y(), out.x())).norm();
-    const double angular = std::min(across / r * perSector, 1.); // of a sector
-    double place = std::atan2(q.y(), q.x()) * perSector;
+    const double across = metric(0, 0) * y * y - 2. * metric(0, 1) * x * y + metric(1, 1) * x * x;
+    const double angular = std::min(std::sqrt(across) / squared * perSector, 1.); // of a sector
+    double place = std::atan2(y, x) * perSector;
     place += place < 0. ? m_sectors : 0.;
     const int sector = std::min(static_cast<int>(place), m_sectors - 1);
     const double inside = place - sector;
-    const double before = 1. - ramp(inside, angular);
-    const double after = 1. - ramp(1. - inside, angular);
+    const double before = 1. - ramp(inside / angular);
+    const double after = 1. - ramp((1. - inside) / angular);
     point.sector[static_cast<std::size_t>(sector)] += share * track * (1. - before - after);
     point.sector[static_cast<std::size_t>((sector + m_sectors - 1) % m_sectors)] += share * track * before;
     point.sector[static_cast<std::size_t>((sector + 1) % m_sectors)] += share * track * after;

@@ -130,6 +130,7 @@ private:
   Eigen::Matrix2d m_meterPerPixel;       //!< There.
   Eigen::Matrix3d m_toPlane;             //!< From normalised coordinates to the plane at the present pose.
   std::vector<Eigen::Vector2d> m_kernel; //!< Points that the blur smears together, normalised coordinates.
+  std::vector<Eigen::Vector3d> m_steps;  //!< The ways to them in homogeneous coordinates of the plane.
   double m_sigma = 0.85;                 //!< Blur about each of them, pixels.
 };
 } // namespace circle_marker

@@ -46,8 +46,10 @@ constexpr std::size_t followed = 4;
 constexpr std::size_t finished = 2;
 constexpr int followedSteps = 4;
 constexpr int finishedSteps = 10;
-// A first look that explains less than this is none of a marker.
+// A first look that leaves more than this share of the image's variance unexplained is none of a marker, nor is one that
+// still leaves more than the other after some steps: the best ones of true markers leave up to 0.05 then.
 constexpr double mostUnexplainedAtFirst = 0.6;
+constexpr double mostUnexplainedAfterSteps = 0.1;
 // Spins that are told apart, by the sector.
 constexpr int phases = 8;
 // A codeword that is seen through a blur leaves this share of the image's variance unexplained at most: those of true
@@ -159,6 +161,9 @@ std::vector<BlurredFit> bestLooks(BlurredMarker &marker, const CameraModel &came
   std::sort(fits.begin(), fits.end(),
             [](const BlurredFit &p, const BlurredFit &q) { return p.unexplained() < q.unexplained(); });
   fits.resize(std::min(fits.size(), finished));
+  fits.erase(std::remove_if(fits.begin(), fits.end(),
+                            [](const BlurredFit &fit) { return !(fit.unexplained() < mostUnexplainedAfterSteps); }),
+             fits.end());
   return fits;
 }
 

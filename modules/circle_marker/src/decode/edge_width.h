@@ -27,10 +27,14 @@ namespace circle_marker {
 /*!
   Width of an outline's edge, pixels: step across it by its steepest slope, that of the second widest of eight pairs of
   opposite directions, as a motion widens some directions only. A sharp edge is seen two samples wide, that is two
-  pixels on outlines of up to 20 pixels radius and a tenth of the radius beyond. \return Zero if most of the outline is
-  not seen.
+  pixels on outlines of up to 20 pixels radius and a tenth of the radius beyond.
+  \param I : The image.
+  \param outline : Of a dark ring.
+  \param mostStep : The step between ring and paper, grey levels, where it is known: a ground beyond the quiet zone that
+  is brighter than the paper is none of the edge.
+  \return Zero if most of the outline is not seen.
 */
-double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outline);
+double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outline, double mostStep = 255.);
 
 /*!
   Whether an outline may be a marker seen through a strong blur, one that sectors cannot be read through one by one: its
