@@ -33,8 +33,10 @@ constexpr double leastStep = 4.; // grey levels; less is no edge
 
 // Edges are wide from this on, pixels and semi-minor axes: sharp ones, and those of defocus discs of 8 % of the
 // diameter, through which sectors are still read, are seen up to 0.15 wide, those of 15 % and of ways of 25 % from
-// 0.17. A common blur of 1.2 pixels makes edges of 3.1, in noise of up to 3.5.
-constexpr double leastWidth = 3.7;
+// 0.17. A common blur of 1.2 pixels makes edges of 3.1, in noise of up to 3.5: codes of small markers are read through
+// it otherwise.
+constexpr double leastWidth = 3.2;
+constexpr double leastWidthOfCode = 3.7;
 constexpr double leastRelativeWidth = 0.16;
 // Semi-minor axis of the smallest blurred marker that is tried, pixels: its sectors have a pixel each.
 constexpr double leastSemiMinor = 9.;
@@ -92,7 +94,7 @@ std::optional<CircleGreys> greysAround(const vpImage<unsigned char> &I, const El
 }
 } // namespace
 
-double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outline, double mostStep)
+double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outline, double paper)
 {
   const double step = std::max(1., spacing * std::sqrt(outline.a * outline.b));
   const Eigen::Vector2d major(std::cos(outline.angle), std::sin(outline.angle));
@@ -130,13 +132,13 @@ double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outli
       continue;
     }
     const double dark = *std::min_element(profile.begin(), profile.begin() + reach + 1);
-    const double bright = *std::max_element(profile.begin() + reach, profile.end());
+    const double bright = std::min(*std::max_element(profile.begin() + reach, profile.end()), paper * count);
     double slope = 0.;
     for (std::size_t t = reach - 2; t <= reach + 2; ++t) {
       slope = std::max(slope, 0.5 * (profile[t + 1] - profile[t - 1]));
     }
     if (bright - dark >= leastStep * count && slope > 0.) {
-      widths[seen++] = step * std::min(bright - dark, mostStep * count) / slope;
+      widths[seen++] = step * (bright - dark) / slope;
     }
   }
   if (2 * seen < widths.size()) {
@@ -168,7 +170,8 @@ bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outl
       ring->low - track->low > mostBeyond * step || track->high - paper->high > mostBeyond * step) {
     return false;
   }
-  return edgeWidth(I, outline, step) > std::max(leastWidth, leastRelativeWidth * outline.b);
+  return edgeWidth(I, outline, paper->high) >
+         std::max(isCoded ? leastWidthOfCode : leastWidth, leastRelativeWidth * outline.b);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -30,11 +30,11 @@ namespace circle_marker {
   pixels on outlines of up to 20 pixels radius and a tenth of the radius beyond.
   \param I : The image.
   \param outline : Of a dark ring.
-  \param mostStep : The step between ring and paper, grey levels, where it is known: a ground beyond the quiet zone that
-  is brighter than the paper is none of the edge.
+  \param paper : Grey level of the paper, where it is known: a ground beyond the quiet zone that is brighter is none of
+  the edge.
   \return Zero if most of the outline is not seen.
 */
-double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outline, double mostStep = 255.);
+double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outline, double paper = 255.);
 
 /*!
   Whether an outline may be a marker seen through a strong blur, one that sectors cannot be read through one by one: its
