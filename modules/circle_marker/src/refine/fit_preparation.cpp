@@ -29,14 +29,15 @@ namespace {
 constexpr double sortAgain = 0.5;
 // Or when the blur has become wider by this factor.
 constexpr double widerAgain = 1.2;
-// The correction of strong bends is made again at the end if pose or blur have changed by more than this, pixels: it
-// has changed by no more than a few hundredths of itself by then.
+// The correction of strong bends is made again when pose or blur have changed by more than this, pixels: it has changed
+// by no more than a few hundredths of itself by then.
 constexpr double correctAgain = 0.1;
 // The surround is judged again at the end if it is by this factor more or less even than was thought.
 constexpr double unevenAgain = 1.4;
-// And on the way when the light has changed by this share of it: white paper beyond the quiet zone would be taken for
-// something else.
+// And on the way when the light has changed by this share of it and by this part of the noise: white paper beyond the
+// quiet zone would be taken for something else.
 constexpr double judgeAgain = 0.005;
+constexpr double judgeAgainInNoise = 0.5;
 } // namespace
 
 FitPreparation::FitPreparation(const std::vector<FitPixel> &pixels, const FitSettings &settings, Likelihood &fit,
@@ -50,6 +51,7 @@ void FitPreparation::sort(const MarkerPlane &plane, const Photometry &photometry
 {
   if (!m_hasPixels || !m_fit.keepPixels(m_pixels, plane, photometry, noise, m_sortAgain)) {
     m_fit.setPixels(m_pixels, plane, photometry, noise);
+    m_isCorrected = false;
   }
   m_hasPixels = true;
   m_sorted = plane;
@@ -62,29 +64,37 @@ void FitPreparation::prepare(const MarkerPlane &plane, const Photometry &photome
   if (m_sortedBlur == 0. || !m_memory.blocks.surrounds.empty() || motion(m_sorted, plane) > 0. || isWider(photometry)) {
     sort(plane, photometry, noise);
   }
-  m_isBent = m_fit.correct(plane, photometry);
-  m_plane = plane;
-  m_photometry = photometry;
+  if (!m_isCorrected || hasOtherBends(plane, photometry.blur)) {
+    m_isBent = m_fit.correct(plane, photometry);
+    m_corrected = plane;
+    m_correctedBlur = photometry.blur.sigma;
+    m_isCorrected = true;
+  }
+  m_judged = photometry;
 }
 
-bool FitPreparation::isStale(const MarkerPlane &plane, const Photometry &photometry) const
+bool FitPreparation::isStale(const MarkerPlane &plane, const Photometry &photometry, double noise) const
 {
+  const double sameLight = std::max(judgeAgain * m_judged.light, judgeAgainInNoise * noise);
   return motion(m_sorted, plane) > m_sortAgain || isWider(photometry) ||
-         (!m_memory.blocks.surrounds.empty() &&
-          std::abs(photometry.light - m_photometry.light) > judgeAgain * m_photometry.light);
+         (!m_memory.blocks.surrounds.empty() && std::abs(photometry.light - m_judged.light) > sameLight);
 }
 
 bool FitPreparation::isRough(const MarkerPlane &plane, const Photometry &photometry) const
 {
-  const double uneven = photometry.unevenShare / m_photometry.unevenShare;
-  return (m_isBent && (motion(m_plane, plane) > correctAgain ||
-                       std::abs(photometry.blur.sigma - m_photometry.blur.sigma) > correctAgain)) ||
+  const double uneven = photometry.unevenShare / m_judged.unevenShare;
+  return (m_isBent && hasOtherBends(plane, photometry.blur)) ||
          (!m_memory.blocks.surrounds.empty() && std::max(uneven, 1. / uneven) > unevenAgain);
 }
 
 double FitPreparation::motion(const MarkerPlane &from, const MarkerPlane &to) const
 {
   return outlineMotion(from, to) / m_memory.blocks.reference.unit;
+}
+
+bool FitPreparation::hasOtherBends(const MarkerPlane &plane, const BlurParameters &blur) const
+{
+  return motion(m_corrected, plane) > correctAgain || std::abs(blur.sigma - m_correctedBlur) > correctAgain;
 }
 
 bool FitPreparation::isWider(const Photometry &photometry) const

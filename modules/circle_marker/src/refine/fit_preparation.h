@@ -47,7 +47,7 @@ public:
   void prepare(const MarkerPlane &plane, const Photometry &photometry, double noise);
 
   /*! Whether pixels may see other edges by now, or other light. */
-  bool isStale(const MarkerPlane &plane, const Photometry &photometry) const;
+  bool isStale(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
 
   /*! Whether a fit that is done wants a better preparation for its last steps. */
   bool isRough(const MarkerPlane &plane, const Photometry &photometry) const;
@@ -55,6 +55,7 @@ public:
 private:
   double motion(const MarkerPlane &from, const MarkerPlane &to) const; // pixels
   bool isWider(const Photometry &photometry) const;
+  bool hasOtherBends(const MarkerPlane &plane, const BlurParameters &blur) const; // than those that were corrected
 
   const std::vector<FitPixel> &m_pixels; //!< What is explained.
   const double m_sortAgain;              //!< Motion of the outline from which on pixels may see other edges, pixels.
@@ -63,9 +64,11 @@ private:
   bool m_hasPixels;                      //!< Whether those in the memory are these.
   MarkerPlane m_sorted;                  //!< Where they were sorted.
   double m_sortedBlur = 0.;              //!< With which blur, pixels; 0 before.
-  MarkerPlane m_plane;                   //!< Where they were prepared.
-  Photometry m_photometry;               //!< And in which light.
-  bool m_isBent = false;                 //!< Whether edges bend strongly.
+  bool m_isCorrected = false;            //!< Whether bends are corrected as the pixels are sorted.
+  MarkerPlane m_corrected;               //!< Where.
+  double m_correctedBlur = 0.;           //!< For which blur, pixels.
+  bool m_isBent = false;                 //!< Whether edges bend strongly there.
+  Photometry m_judged;                   //!< The light in which the surround was judged.
 };
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

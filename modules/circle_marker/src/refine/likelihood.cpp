@@ -242,6 +242,20 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
   return equations;
 }
 
+double Likelihood::cost(const MarkerPlane &plane, const Photometry &photometry, double noise) const
+{
+  const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
+  double cost = priorCost(plane, photometry, noise);
+  Lanes darkness;
+  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
+    model.evaluate(block, sight, darkness);
+    const Lanes residual = greyOf(block, m_memory.blocks.surroundOf(block), photometry, darkness).residual;
+    cost += static_cast<double>(
+        (biweight(residual, block.variance, static_cast<float>(noise)).cost * holdsPixel(block)).sum());
+  });
+  return cost;
+}
+
 void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry)
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);

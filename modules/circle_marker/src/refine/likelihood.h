@@ -105,6 +105,9 @@ public:
   /*! The same with the matrix of the last pass of linearise() that was kept: the parameters are near those. */
   Equations pull(const MarkerPlane &plane, const Photometry &photometry, double noise);
 
+  /*! Their cost alone. */
+  double cost(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
+
   /*! The residuals and sums of the last pass are those of the present parameters. */
   void keepResiduals();
 

@@ -151,7 +151,7 @@ private:
     trial.plane = m_result.plane;
     trial.photometry = m_result.photometry;
     applyStep(biweightStep * trial.step, trial.plane, trial.photometry);
-    trial.isStale = m_preparation.isStale(trial.plane, trial.photometry);
+    trial.isStale = m_preparation.isStale(trial.plane, trial.photometry, m_noise);
     return trial;
   }
 
@@ -185,25 +185,42 @@ private:
   {
     const double unit = m_memory.blocks.reference.unit;
     const bool isNear = m_matrixPlace.servesAt(trial.plane, trial.photometry, trial.size, unit) && m_descent.isOver();
+    if (trial.isStale) {
+      return isTakenStale(trial);
+    }
     const Equations equations = isNear ? m_likelihood.pull(trial.plane, trial.photometry, m_noise)
                                        : m_likelihood.linearise(trial.plane, trial.photometry, m_noise);
-    if (equations.cost > m_equations.cost * (1. + rounding)) {
+    if (!isLower(equations.cost)) {
       return false;
     }
-    m_result.plane = trial.plane;
-    m_result.photometry = trial.photometry;
-    m_damping = m_damping > leastDamping ? 0.1 * m_damping : 0.;
-    if (trial.isStale) {
-      m_preparation.prepare(trial.plane, trial.photometry, m_noise);
-      linearise(trial.plane, trial.photometry);
-      return true;
-    }
+    take(trial);
     m_equations = equations;
     m_likelihood.keepResiduals();
     if (!isNear) {
       m_matrixPlace.set(trial.plane, trial.photometry);
     }
     return true;
+  }
+
+  // The same where the pixels are to be prepared again: equations are wanted of those only.
+  bool isTakenStale(const Trial &trial)
+  {
+    if (!isLower(m_likelihood.cost(trial.plane, trial.photometry, m_noise))) {
+      return false;
+    }
+    take(trial);
+    m_preparation.prepare(trial.plane, trial.photometry, m_noise);
+    linearise(trial.plane, trial.photometry);
+    return true;
+  }
+
+  bool isLower(double cost) const { return cost <= m_equations.cost * (1. + rounding); }
+
+  void take(const Trial &trial)
+  {
+    m_result.plane = trial.plane;
+    m_result.photometry = trial.photometry;
+    m_damping = m_damping > leastDamping ? 0.1 * m_damping : 0.;
   }
 
   void linearise(const MarkerPlane &plane, const Photometry &photometry)
