@@ -72,8 +72,14 @@ struct LineModel::Line
   Lanes qx, qy, w0;
   Lanes mx, my, w;
   Lanes rimGrowth; // growth of black along the line at a circle, standard deviations
-  Lanes u, v;      // direction in the image
-  const PlaneLanes *point = nullptr;
+};
+
+// How parallel lines cross a border.
+struct LineModel::Crossing
+{
+  Lanes perSpeed; // standard deviations by the distance from it on the plane
+  Lanes change;   // 1 from white to black, -1 from black to white
+  Lanes growth;   // of black along the line there, standard deviations
 };
 
 // Share of the blur before the two crossings of a circle.
@@ -134,7 +140,27 @@ Lanes LineModel::ringAlong(const Line &line) const
   return black;
 }
 
-Lanes LineModel::trackAlong(const Line &line) const
+void LineModel::crossBorders(const PlaneLanes &p, const Lanes &u, const Lanes &v, const Line &line,
+                             Crossings &crossings) const
+{
+  for (std::size_t k = 0; k < m_borderCount; ++k) {
+    const float acrossX = -m_borders[k].alongY;
+    const float acrossY = m_borders[k].alongX;
+    const Lanes speed = acrossX * line.mx + acrossY * line.my;
+    const Lanes sense = 2.f * isPositive(speed) - 1.f;
+    Crossing &crossing = crossings[k];
+    crossing.perSpeed = (sense * speed.abs().max(1e-12f)).inverse();
+    crossing.change = m_borders[k].change * sense;
+    // Where black grows the border moves away from it.
+    const Lanes gu = p.qxByU * acrossX + p.qyByU * acrossY;
+    const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
+    const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
+    const Lanes cosine = (gu * u + gv * v).abs() * perGradient;
+    crossing.growth = crossing.change * (m_perSigma * m_spread * perGradient) / cosine.max(leastCosine);
+  }
+}
+
+Lanes LineModel::trackAlong(const Line &line, const Crossings &crossings) const
 {
   const Chord outer = chordOf(line, m_track[0], line.rimGrowth);
   const Chord inner = chordOf(line, m_track[1], -line.rimGrowth);
@@ -152,21 +178,13 @@ Lanes LineModel::trackAlong(const Line &line) const
     const float acrossY = border.alongX;
     const Lanes isPast = isPositive(acrossX * fromX + acrossY * fromY);
     code += border.change * (border.isLower ? Lanes(isPast.min(isLower)) : Lanes(isPast.max(isLower)));
-    const Lanes speed = acrossX * line.mx + acrossY * line.my;
-    const Lanes sense = 2.f * isPositive(speed) - 1.f;
-    const Lanes at = -(acrossX * line.qx + acrossY * line.qy) / (sense * speed.abs().max(1e-12f));
+    const Crossing &crossing = crossings[k];
+    const Lanes at = -(acrossX * line.qx + acrossY * line.qy) * crossing.perSpeed;
     const Lanes w = line.w0 + at * line.w;
     const Lanes isOnRay =
         isPositive(border.alongX * (line.qx + at * line.mx) + border.alongY * (line.qy + at * line.my)) * isPositive(w);
-    const Lanes change = border.change * sense * isOnRay;
-    // Where black grows the border moves away from it.
-    const PlaneLanes &p = *line.point;
-    const Lanes gu = p.qxByU * acrossX + p.qyByU * acrossY;
-    const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
-    const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
-    const Lanes cosine = (gu * line.u + gv * line.v).abs() * perGradient;
-    const Lanes growth = m_perSigma * m_spread * perGradient;
-    const Lanes grown = at - border.change * sense * growth / cosine.max(leastCosine);
+    const Lanes change = crossing.change * isOnRay;
+    const Lanes grown = at - crossing.growth;
     Lanes before;
     if (((grown.abs() - farFromCrossing) * change.abs()).minCoeff() >= 0.f) {
       before = isPositive(grown);
@@ -204,9 +222,6 @@ Lanes LineModel::darkness(const PixelBlock &block, PixelSight sight) const
     v *= perSum;
   }
   Line line;
-  line.point = &p;
-  line.u = u;
-  line.v = v;
   line.rimGrowth = m_perSigma * m_spread * perGradient / ((p.gradientU * u + p.gradientV * v) * perGradient);
   const float sigma = 1.f / m_perSigma;
   const DirectionLanes along = m_homography.along(block.place, sigma * u, sigma * v);
@@ -214,6 +229,10 @@ Lanes LineModel::darkness(const PixelBlock &block, PixelSight sight) const
   line.mx = along.x;
   line.my = along.y;
   line.w = along.w;
+  Crossings crossings;
+  if (hasTrack) {
+    crossBorders(p, u, v, line, crossings);
+  }
   Lanes black = Lanes::Zero();
   const auto sumOver = [&](const auto &nodes) {
     for (const Node &node : nodes) {
@@ -225,7 +244,7 @@ Lanes LineModel::darkness(const PixelBlock &block, PixelSight sight) const
         part += ringAlong(line);
       }
       if (hasTrack) {
-        part += trackAlong(line);
+        part += trackAlong(line, crossings);
       }
       black += node.weight * part;
     }

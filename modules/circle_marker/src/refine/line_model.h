@@ -53,12 +53,17 @@ public:
   bool isBent(const PixelBlock &block, PixelSight sight) const;
 
 private:
+  static constexpr std::size_t bordersOfCode = 31; // at most
+
   struct Line;
   struct Chord;
+  struct Crossing;
+  using Crossings = std::array<Crossing, bordersOfCode>; // with each of the borders
 
   Chord chordOf(const Line &line, float radius, const Lanes &growth) const;
   Lanes ringAlong(const Line &line) const;
-  Lanes trackAlong(const Line &line) const;
+  void crossBorders(const PlaneLanes &p, const Lanes &u, const Lanes &v, const Line &line, Crossings &crossings) const;
+  Lanes trackAlong(const Line &line, const Crossings &crossings) const;
 
   // A border between a white and a black sector.
   struct Border
@@ -71,7 +76,7 @@ private:
   PlaneHomography m_homography;
   std::array<float, 2> m_ring;  // radii of the ring's edges; 0 is no edge
   std::array<float, 2> m_track; // radii of the track's rims
-  std::array<Border, 31> m_borders;
+  std::array<Border, bordersOfCode> m_borders;
   std::size_t m_borderCount = 0;
   float m_first = 0.f; // 1 if the sector that ends at the full turn is black
   float m_perSigma, m_spread;
