@@ -68,8 +68,8 @@ TEST(CodeLikelihood, SmallCodesAreReadWithTheirSpin)
       const double spin = uniform(random, -M_PI, M_PI);
       const auto code = read(imageOf(scene, random), scene, spin);
       ASSERT_TRUE(code);
-      EXPECT_EQ(code->id, id) << family.getName() << " minor axis " << minor << " tilt " << tilt;
-      EXPECT_LT(std::abs(std::remainder(code->spin - spin, 2. * M_PI)), 0.25 * pitch);
+      EXPECT_EQ(code->best.id, id) << family.getName() << " minor axis " << minor << " tilt " << tilt;
+      EXPECT_LT(std::abs(std::remainder(code->best.spin - spin, 2. * M_PI)), 0.25 * pitch);
       EXPECT_GT(code->odds, 15.) << family.getName() << " minor axis " << minor << " tilt " << tilt;
       EXPECT_LT(code->unexplained, 1.2) << family.getName() << " minor axis " << minor << " tilt " << tilt;
     }
@@ -101,7 +101,7 @@ TEST(CodeLikelihood, AnEvenTrackIsNoCode)
       scene.word = isBlack ? (1U << family.getNbSectors()) - 1 : 0;
       const auto code = read(imageOf(scene, random), scene, 0.);
       ASSERT_TRUE(code);
-      EXPECT_EQ(code->id, -1) << family.getName() << (isBlack ? ", black" : ", white");
+      EXPECT_EQ(code->best.id, -1) << family.getName() << (isBlack ? ", black" : ", white");
     }
   }
 }

@@ -27,8 +27,8 @@ namespace circle_marker {
 namespace {
 // Phases of the sectors that are tried: an eighth of a sector moves no edge by more than a small part of the blur.
 constexpr int phases = 8;
-// Spins of one marker in neighbouring phases differ by no more than this, in sectors.
-constexpr double sameSpin = 0.75;
+// Spins of one marker in neighbouring phases differ by less than a sector, after which it is another codeword.
+constexpr double sameSpin = 0.95;
 
 constexpr double fullTurn = 2. * M_PI;
 
@@ -86,8 +86,7 @@ struct Contender
 {
   CyclicCode::Word word = 0;
   double cost = HUGE_VAL;
-  int id = -1;
-  double spin = 0.;
+  PlacedCode code;
 };
 
 // The two best codewords at a phase. A white track, the zero word, costs nothing but the squares; it may be the best.
@@ -116,8 +115,8 @@ std::array<Contender, 2> bestTwo(const Squares &squares, const CyclicCode &code,
   two[1].cost = squares.squares + static_cast<double>(secondCost);
   for (Contender &contender : two) {
     if (const auto identity = code.identify(contender.word)) { // else constant: no marker's
-      contender.id = identity->id;
-      contender.spin = std::remainder(start + fullTurn * identity->rotation / code.getLength(), fullTurn);
+      contender.code.id = identity->id;
+      contender.code.spin = std::remainder(start + fullTurn * identity->rotation / code.getLength(), fullTurn);
     }
   }
   return two;
@@ -145,17 +144,19 @@ std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const 
   }
   const Contender &best = *std::min_element(contenders.begin(), contenders.end(),
                                             [](const auto &p, const auto &q) { return p.cost < q.cost; });
-  if (best.id < 0) {
+  if (best.code.id < 0) {
     return LikelyCode();
   }
-  double next = HUGE_VAL;
+  Contender next;
   for (const Contender &contender : contenders) {
-    const bool isSame =
-        contender.id == best.id && std::abs(std::remainder(contender.spin - best.spin, fullTurn)) < sameSpin * pitch;
-    next = isSame ? next : std::min(next, contender.cost);
+    const double apart = std::abs(std::remainder(contender.code.spin - best.code.spin, fullTurn));
+    const bool isSame = contender.code.id == best.code.id && apart < sameSpin * pitch;
+    if (!isSame && contender.cost < next.cost) {
+      next = contender;
+    }
   }
   const double variance = track.noise * track.noise;
-  return LikelyCode{best.id, best.spin, (next - best.cost) / (2. * variance),
+  return LikelyCode{best.code, next.code, (next.cost - best.cost) / (2. * variance),
                     std::sqrt(std::max(best.cost, 0.) / (variance * static_cast<double>(track.pixels.size())))};
 }
 } // namespace circle_marker

@@ -41,11 +41,18 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! A codeword on a code track. */
+struct PlacedCode
+{
+  int id = -1;      //!< -1: a track all black or all white.
+  double spin = 0.; //!< Angle from the plane's x axis to the marker's own, rad, in (-pi, pi].
+};
+
 /*! The codeword that explains a code track best. */
 struct LikelyCode
 {
-  int id = -1;             //!< -1: a track all black or all white explains more than any.
-  double spin = 0.;        //!< Angle from the plane's x axis to the marker's own, rad, in (-pi, pi].
+  PlacedCode best;         //!< It, or a track all black or all white if that explains more than any.
+  PlacedCode next;         //!< What explains it best of all others.
   double odds = HUGE_VAL;  //!< Natural logarithm of its odds against the next one.
   double unexplained = 0.; //!< Root of the mean squared residual, in units of the noise.
 };
