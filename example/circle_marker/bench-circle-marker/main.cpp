@@ -46,7 +46,8 @@ int main(int argc, char *argv[])
       ->expected(0, 1)
       ->default_str("10")
       ->check(CLI::Range(1, 1000));
-  app.add_option("--reach", reach, "Table of the share of markers that are found, on N frames of 20")
+  app.add_option("--reach", reach,
+                 "Table of the share of markers that are found, on N frames of 20, and half as many in any light")
       ->check(CLI::Range(1, 1000000));
   app.add_option("--phantoms", phantoms, "Table of the markers found in N images that have none")
       ->check(CLI::Range(1, 1000000));

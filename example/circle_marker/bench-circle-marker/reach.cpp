@@ -32,6 +32,19 @@ namespace {
 // Minor axes of the ring's image, pixels, from which the lines of the table begin.
 constexpr std::array<double, 7> bounds = {0., 8., 10., 13., 17., 25., 40.};
 
+// What lies around the markers, and their outer diameters, pixels. In any light the ground is clutter every other
+// frame.
+struct Ground
+{
+  const char *name;
+  bool clutter;
+  bool anyLight;
+  double leastDiameter;
+  double greatestDiameter;
+};
+constexpr std::array<Ground, 3> grounds = {
+    {{"plain", false, false, 17., 60.}, {"clutter", true, false, 17., 60.}, {"any light", false, true, 10., 45.}}};
+
 struct Line
 {
   unsigned int markers = 0;
@@ -59,17 +72,18 @@ void tellReach(std::ostream &out, const std::string &family, unsigned int frames
   out << "| ground | minor axis from, pixels | markers | found and rightly read | wrong id | at most, at 95 % |\n"
       << "|---|---|---|---|---|---|\n";
   unsigned int phantoms = 0;
-  for (const bool clutter : {false, true}) {
+  for (const Ground &ground : grounds) {
     std::array<Line, bounds.size()> lines;
     Line all;
     for (unsigned int frame = 0; frame < (frames + 1) / 2; ++frame) {
       SceneOptions options;
       options.family = family;
       options.markers = 20;
-      options.leastDiameter = 17.;
-      options.greatestDiameter = 60.;
+      options.leastDiameter = ground.leastDiameter;
+      options.greatestDiameter = ground.greatestDiameter;
       options.mostTilt = 75. * M_PI / 180.;
-      options.clutter = clutter;
+      options.clutter = ground.clutter || (ground.anyLight && frame % 2 == 1);
+      options.anyLight = ground.anyLight;
       options.seed = 1000 + firstOfSeed(seed) + frame;
       const Scene scene = makeScene(options);
       std::vector<vpHomogeneousMatrix> poses;
@@ -98,12 +112,11 @@ void tellReach(std::ostream &out, const std::string &family, unsigned int frames
       phantoms += static_cast<unsigned int>(detector.getDetections().size() - matched);
       isWrong = isWrong || matched < detector.getDetections().size();
       if (isWrong && !overlays.empty()) {
-        vpImageIo::write(scene.image,
-                         overlays + "/" + (clutter ? "clutter-" : "plain-") + std::to_string(frame) + ".png");
+        vpImageIo::write(scene.image, overlays + "/" + ground.name + "-" + std::to_string(frame) + ".png");
       }
     }
     const auto write = [&](const std::string &from, const Line &line) {
-      out << "| " << (clutter ? "clutter" : "plain") << " | " << from << " | " << line.markers << " | " << std::fixed
+      out << "| " << ground.name << " | " << from << " | " << line.markers << " | " << std::fixed
           << std::setprecision(2) << 100. * line.found / std::max(line.markers, 1U) << " % | " << line.wrong << " | "
           << std::scientific << std::setprecision(1) << upperBound(line.wrong, line.markers) << " |\n";
     };

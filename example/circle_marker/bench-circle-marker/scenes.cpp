@@ -55,6 +55,21 @@ vpHomogeneousMatrix drawPose(Random &random, const vpCameraParameters &camera, d
   return vpHomogeneousMatrix(center, facing * tilted * spun);
 }
 
+// Any light that a camera may be used in: each fourth picture by a camera that is not linear.
+vpScenePhotometry drawPhotometry(Random &random)
+{
+  vpScenePhotometry photometry;
+  photometry.ink = uniform(random, 15., 60.);
+  photometry.paper = photometry.ink + uniform(random, 60., 190.);
+  photometry.blurSigma = uniform(random, 0.5, 1.2);
+  photometry.noiseSigma = uniform(random, 0., 6.);
+  photometry.gradientU = uniform(random, -0.4, 0.4);
+  photometry.gradientV = uniform(random, -0.4, 0.4);
+  const double gamma = uniform(random, 0.45, 2.2);
+  photometry.gamma = random() % 4 == 0 ? gamma : 1.;
+  return photometry;
+}
+
 vpImage<unsigned char> imageOf(const cv::Mat &pixels)
 {
   vpImage<unsigned char> I(static_cast<unsigned int>(pixels.rows), static_cast<unsigned int>(pixels.cols));
@@ -186,6 +201,11 @@ Scene makeScene(const SceneOptions &options)
   vpMarkerSceneSimulator simulator(scene.camera, options.width, options.height);
   vpScenePhotometry photometry;
   photometry.noiseSigma = options.noise;
+  double ground = 110.;
+  if (options.anyLight) {
+    photometry = drawPhotometry(random);
+    ground = uniform(random, 60., 230.);
+  }
   simulator.setPhotometry(photometry);
   if (options.clutter) {
     const double pixels = static_cast<double>(options.width) * options.height;
@@ -193,7 +213,7 @@ Scene makeScene(const SceneOptions &options)
     simulator.setBackground(vpSceneBackground::clutter(options.seed, shapes));
   }
   else {
-    simulator.setBackground(vpSceneBackground::plain(110.));
+    simulator.setBackground(vpSceneBackground::plain(ground));
   }
   // The grid with the squarest cells that has room for all.
   const double aspect = static_cast<double>(options.width) / options.height;

@@ -46,6 +46,7 @@ struct SceneOptions
   double mostTilt = 1.0472;       //!< Angle between normal and line of sight: from 0 to this, rad.
   bool clutter = false;           //!< Polygons, discs, rings, lines: 120 on 1.2 million pixels; or plain grey.
   double noise = 2.;              //!< Standard deviation of the pixels' noise, grey levels.
+  bool anyLight = false;          //!< Ink, paper, blur, noise, light gradient and gamma are random, too.
   std::uint64_t seed = 1;         //!< The same seed gives the same frame.
 };
 

@@ -18,6 +18,7 @@
 #include "measure_proven.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "refine/code_likelihood.h"
@@ -43,13 +44,18 @@ constexpr double mostUnexplained = 1.2;
 constexpr double clearOdds = 40.;
 constexpr double mostUnexplainedIfClear = 1.6;
 constexpr double mostUnexplainedIfRead = 3.;
-// At a wrong pose, too, one codeword is the best, by up to e^35; but it does not leave the image's noise alone. Of a
-// right one no more is left than this factor, and this share of the contrast for what the model lacks. (A golay23 of 9
-// pixels in a blur of 1.2 was read as another where 1.4 times the noise was left.) Below these odds, ln, that is asked.
-constexpr double oddsAtAnyPose = 60.;
-constexpr double mostNoiseAtRightPose = 1.2;
+// At a wrong pose, too, one codeword is the best, by up to e^64; but it does not leave the image's noise alone. Of a
+// right one no more is left than this factor, and this share of the contrast for what the model lacks: the higher its
+// odds, ln, the more. (A golay23 of 9 pixels in a blur of 1.2 was read as another, with odds of e^35, where 1.4 times
+// the noise was left.)
+struct MostLeft
+{
+  double odds;    // up to these
+  double noise;   // factor
+  double lacking; // share of the contrast
+};
+constexpr std::array<MostLeft, 3> mostLeftByOdds = {{{25., 1.1, 0.003}, {60., 1.2, 0.003}, {150., 1.5, 0.005}}};
 constexpr double rounding = 0.29; // noise of an image without any, grey levels
-constexpr double mostLacking = 0.003;
 // What is no marker, letters, rings of dots, a castle's window, may be near a codeword, but it is not what is printed:
 // it leaves 4 % of its contrast and more besides noise, and correlates by less than 0.98. True markers do by that in
 // noise of a twelfth of the contrast; then no more than the noise is left, to this factor, and the odds are clear.
@@ -85,16 +91,26 @@ bool leavesWhatPrintsLeave(const FittedPose &fit, double noise, double share)
          fit.noise < mostNoise * std::max(noise, rounding) + share * (paper - ink);
 }
 
+// Whether a fit leaves no more than one at the right pose, where a code has such odds.
+bool isAtRightPose(const FittedPose &fit, double noise, double odds)
+{
+  const double contrast = fit.photometry.light * fit.photometry.contrast();
+  for (const MostLeft &most : mostLeftByOdds) {
+    if (odds < most.odds) {
+      return fit.noise < most.noise * std::max(noise, rounding) + most.lacking * contrast;
+    }
+  }
+  return true;
+}
+
 // Whether a marker's likeliest code is beyond doubt.
 bool isProven(const LikelyCode &code, const FittedPose &fit, double noise, bool isCertain)
 {
-  const double contrast = fit.photometry.light * fit.photometry.contrast();
-  const double noiseAlone = mostNoiseAtRightPose * std::max(noise, rounding);
   const double mostLeft = code.odds < clearOdds ? mostUnexplained
                           : isCertain           ? mostUnexplainedIfRead
                                                 : mostUnexplainedIfClear;
   const bool isLikely = code.odds > leastOdds && code.unexplained < mostLeft;
-  const bool isRightPose = code.odds > oddsAtAnyPose || fit.noise < noiseAlone + mostLacking * contrast;
+  const bool isRightPose = isAtRightPose(fit, noise, code.odds);
   const bool isFaint = code.odds > clearOdds && fit.noise < mostNoiseIfFaint * noise;
   const bool isAlike = fit.correlation > leastCorrelation || isFaint;
   const bool isPrint = isCertain ? leavesWhatPrintsLeave(fit, noise, mostUnlikeIfCertain)
