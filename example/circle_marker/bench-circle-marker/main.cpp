@@ -42,7 +42,8 @@ int main(int argc, char *argv[])
   unsigned int ratios = 0;
   unsigned int reach = 0;
   unsigned int phantoms = 0;
-  app.add_option("--ratios", ratios, "Table of CPU times beside the others', each looking N times at each frame")
+  app.add_option("--ratios", ratios,
+                 "Table of CPU times beside the others', each looking N times at each frame, and of their spread")
       ->expected(0, 1)
       ->default_str("10")
       ->check(CLI::Range(1, 1000));
