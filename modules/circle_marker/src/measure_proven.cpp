@@ -35,8 +35,10 @@ constexpr double shortSector = 1.4;
 // or no code will do.
 constexpr double leastCorrelationAtStart = 0.7;
 constexpr double leastCorrelationMeasured = 0.9;
-// Least odds against the next codeword, ln: one in 10^6 is wrong, if the pose is right.
+// Least odds against the next codeword, ln: one in 10^6 is wrong, if the pose is right. Which it need not be where the
+// code was not read for certain: codes are compared at the pose that the likeliest has made of the image.
 constexpr double leastOdds = 14.;
+constexpr double leastOddsIfUncertain = 25.;
 // Residuals of the best codeword, in units of what noise and model leave. Beyond the other odds, ln, they may be more:
 // of a track that is less than a pixel wide the model misses some hundredths of its contrast. And if the same code was
 // read sector by sector, more again: the phases that are tried are then the coarsest of what is seen.
@@ -109,7 +111,7 @@ bool isProven(const LikelyCode &code, const FittedPose &fit, double noise, bool 
   const double mostLeft = code.odds < clearOdds ? mostUnexplained
                           : isCertain           ? mostUnexplainedIfRead
                                                 : mostUnexplainedIfClear;
-  const bool isLikely = code.odds > leastOdds && code.unexplained < mostLeft;
+  const bool isLikely = code.odds > (isCertain ? leastOdds : leastOddsIfUncertain) && code.unexplained < mostLeft;
   const bool isRightPose = isAtRightPose(fit, noise, code.odds);
   const bool isFaint = code.odds > clearOdds && fit.noise < mostNoiseIfFaint * noise;
   const bool isAlike = fit.correlation > leastCorrelation || isFaint;
