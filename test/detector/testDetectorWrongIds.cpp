@@ -1,0 +1,68 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Small markers that were once read as another one: none may be again.
+ */
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include <visp3/circle_marker/vpDetectorCircleMarker.h>
+
+#include "scenes.h"
+
+namespace {
+struct Outcome
+{
+  unsigned int right = 0;
+  unsigned int wrong = 0;
+};
+
+Outcome outcomeOf(const bench::Scene &scene, vpDetectorCircleMarker &detector)
+{
+  std::vector<vpHomogeneousMatrix> poses;
+  detector.detect(scene.image, bench::markerSize, scene.camera, poses);
+  Outcome outcome;
+  for (const vpMarkerTruth &truth : scene.truth) {
+    for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
+      if (vpImagePoint::distance(detection.center, truth.center) < 0.5 * truth.ellipse->semiAxisB) {
+        (detection.id == truth.id ? outcome.right : outcome.wrong) += 1;
+      }
+    }
+  }
+  return outcome;
+}
+} // namespace
+
+// Frames of bench-circle-marker --reach, in any light, in which a small marker was read as another one: each at a wrong
+// pose, in a light and blur that had bent toward the wrong codeword, with odds of e^18 to e^64.
+TEST(DetectorWrongIds, SmallMarkersInAnyLight)
+{
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);
+  for (const std::uint64_t seed : {5180, 5572, 5890}) {
+    bench::SceneOptions options;
+    options.markers = 20;
+    options.leastDiameter = 10.;
+    options.greatestDiameter = 45.;
+    options.mostTilt = 75. * M_PI / 180.;
+    options.anyLight = true;
+    options.clutter = seed % 2 == 1;
+    options.seed = seed;
+    const Outcome outcome = outcomeOf(bench::makeScene(options), detector);
+    EXPECT_EQ(outcome.wrong, 0u) << seed;
+    EXPECT_GE(outcome.right, 12u) << seed;
+  }
+}
