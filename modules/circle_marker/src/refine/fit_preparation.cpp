@@ -35,9 +35,10 @@ constexpr double correctAgain = 0.1;
 // The surround is judged again at the end if it is by this factor more or less even than was thought.
 constexpr double unevenAgain = 1.4;
 // And on the way when the light has changed by this share of it and by this part of the noise: white paper beyond the
-// quiet zone would be taken for something else.
+// quiet zone would be taken for something else. What is no marker leaves so much that it hardly matters; with a half of
+// the noise the right pose of a small marker was lost to its mirror image.
 constexpr double judgeAgain = 0.005;
-constexpr double judgeAgainInNoise = 0.5;
+constexpr double judgeAgainInNoise = 0.1;
 } // namespace
 
 FitPreparation::FitPreparation(const std::vector<FitPixel> &pixels, const FitSettings &settings, Likelihood &fit,
