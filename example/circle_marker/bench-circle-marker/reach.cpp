@@ -43,7 +43,7 @@ struct Ground
   double greatestDiameter;
 };
 constexpr std::array<Ground, 3> grounds = {
-    {{"plain", false, false, 17., 60.}, {"clutter", true, false, 17., 60.}, {"any light", false, true, 10., 45.}}};
+    {{"plain", false, false, 17., 60.}, {"clutter", true, false, 17., 60.}, {"any-light", false, true, 10., 45.}}};
 
 struct Line
 {

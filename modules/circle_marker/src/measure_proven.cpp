@@ -201,6 +201,9 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
         return measurement;
       }
       auto other = challenger(I, camera, *code, *measurement, marker, memory);
+      if (deadline.hasPassed()) {
+        return std::nullopt;
+      }
       if (!other) {
         return measurement;
       }
