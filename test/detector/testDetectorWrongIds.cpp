@@ -47,8 +47,8 @@ Outcome outcomeOf(const bench::Scene &scene, vpDetectorCircleMarker &detector)
 }
 } // namespace
 
-// Frames of bench-circle-marker --reach, in any light, in which a small marker was read as another one: each at a wrong
-// pose, in a light and blur that had bent toward the wrong codeword, with odds of e^18 to e^64.
+// Frames as bench-circle-marker --reach has them, in any light, in which a small marker was read as another one: each
+// at a wrong pose, in a light and blur that had bent toward the wrong codeword.
 TEST(DetectorWrongIds, SmallMarkersInAnyLight)
 {
   vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);

@@ -21,10 +21,10 @@
 #include <cmath>
 #include <ctime>
 #include <iomanip>
-#include <numeric>
 #include <string>
 #include <vector>
 
+#include "common/statistics.h"
 #include "peers.h"
 
 namespace bench {
@@ -63,16 +63,9 @@ double timeOf(const Peer &peer, const Scene &scene)
   return cpuMilliseconds() - start;
 }
 
-double quantile(std::vector<double> values, double share)
+double medianOf(const std::vector<double> &values)
 {
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
-double median(const std::vector<double> &values)
-{
-  return quantile(values, 0.5);
+  return common::statisticsOf(values).median;
 }
 
 SceneOptions frameWith(bool clutter, double noise)
@@ -109,9 +102,9 @@ void tellSpread(std::ostream &out)
           times.back() = std::min(times.back(), timeOf(ours, scene));
         }
       }
-      out << "| " << nameOf(options) << " | "
-          << std::accumulate(times.begin(), times.end(), 0.) / static_cast<double>(times.size()) << " | "
-          << median(times) << " | " << quantile(times, 0.95) << " | " << quantile(times, 1.) << " |" << std::endl;
+      const common::Statistics spread = common::statisticsOf(times);
+      out << "| " << nameOf(options) << " | " << spread.mean << " | " << spread.median << " | " << spread.p95 << " | "
+          << spread.most << " |" << std::endl;
     }
   }
 }
@@ -149,10 +142,10 @@ void tellRatios(std::ostream &out, unsigned int rounds)
           unrefinedRatios.push_back(theirTimes.back() / unrefinedTimes.back());
         }
         const double goal = goalOf(peer.name, noise);
-        const double ratio = median(ratios);
-        out << "| " << nameOf(options) << " | " << peer.name << " | " << std::setprecision(2) << median(theirTimes)
-            << " | " << median(ourTimes) << " | " << median(unrefinedTimes) << " | " << ratio << " | "
-            << median(unrefinedRatios) << " | ";
+        const double ratio = medianOf(ratios);
+        out << "| " << nameOf(options) << " | " << peer.name << " | " << std::setprecision(2) << medianOf(theirTimes)
+            << " | " << medianOf(ourTimes) << " | " << medianOf(unrefinedTimes) << " | " << ratio << " | "
+            << medianOf(unrefinedRatios) << " | ";
         if (goal > 0.) {
           out << goal << " | " << (ratio >= goal ? "yes" : "no") << " |" << std::endl;
         }

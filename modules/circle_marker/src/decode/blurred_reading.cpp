@@ -46,8 +46,8 @@ constexpr std::size_t followed = 4;
 constexpr std::size_t finished = 2;
 constexpr int followedSteps = 4;
 constexpr int finishedSteps = 10;
-// A first look that leaves more than this share of the image's variance unexplained is none of a marker, nor is one that
-// still leaves more than the other after some steps: the best ones of true markers leave up to 0.05 then.
+// A first look that leaves more than this share of the image's variance unexplained is none of a marker, nor is one
+// that still leaves more than the other after some steps: the best ones of true markers leave up to 0.05 then.
 constexpr double mostUnexplainedAtFirst = 0.6;
 constexpr double mostUnexplainedAfterSteps = 0.1;
 // Spins that are told apart, by the sector.

@@ -33,8 +33,8 @@ constexpr double leastStep = 4.; // grey levels; less is no edge
 
 // Edges are wide from this on, pixels and semi-minor axes: sharp ones, and those of defocus discs of 8 % of the
 // diameter, through which sectors are still read, are seen up to 0.15 wide, those of 15 % and of ways of 25 % from
-// 0.17. A common blur of 1.2 pixels makes edges of 3.1, in noise of up to 3.5: codes of small markers are read through
-// it otherwise.
+// 0.17. A common blur of 1.2 pixels makes edges of sqrt(2 pi) times that, 3.1, and noise some more: codes of small
+// markers are read through it otherwise.
 constexpr double leastWidth = 3.2;
 constexpr double leastWidthOfCode = 3.7;
 constexpr double leastRelativeWidth = 0.16;
