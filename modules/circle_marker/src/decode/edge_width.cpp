@@ -33,10 +33,8 @@ constexpr double leastStep = 4.; // grey levels; less is no edge
 
 // Edges are wide from this on, pixels and semi-minor axes: sharp ones, and those of defocus discs of 8 % of the
 // diameter, through which sectors are still read, are seen up to 0.15 wide, those of 15 % and of ways of 25 % from
-// 0.17. A common blur of 1.2 pixels makes edges of sqrt(2 pi) times that, 3.1, and noise some more: codes of small
-// markers are read through it otherwise.
+// 0.17.
 constexpr double leastWidth = 3.2;
-constexpr double leastWidthOfCode = 3.7;
 constexpr double leastRelativeWidth = 0.16;
 // Semi-minor axis of the smallest blurred marker that is tried, pixels: its sectors have a pixel each.
 constexpr double leastSemiMinor = 9.;
@@ -170,8 +168,7 @@ bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outl
       ring->low - track->low > mostBeyond * step || track->high - paper->high > mostBeyond * step) {
     return false;
   }
-  return edgeWidth(I, outline, paper->high) >
-         std::max(isCoded ? leastWidthOfCode : leastWidth, leastRelativeWidth * outline.b);
+  return edgeWidth(I, outline, paper->high) > std::max(leastWidth, leastRelativeWidth * outline.b);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE
