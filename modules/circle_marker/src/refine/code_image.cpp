@@ -32,6 +32,8 @@ constexpr int mostReach = 4;
 constexpr double around = 1.5;
 // What the model leaves besides noise, in units of the contrast: pose, blur and light are not exact.
 constexpr double modelError = 0.04;
+// Less of a sector is not worth its products.
+constexpr double leastShare = 1e-3;
 // Where paper is brighter than this, grey levels, a pixel that is as well cannot be told from brighter.
 constexpr double brightest = 254.;
 
@@ -76,10 +78,51 @@ double ringAt(const vpCircleMarkerLayout &layout, const PlanePoint &point)
   const double inner = layout.ringInner > 0. ? insideOf(layout.ringInner, point).share : 0.;
   return insideOf(1., point).share - inner;
 }
+// The sectors that a pixel sees.
+struct SeenSectors
+{
+  std::array<int, mostSectors> numbers;
+  std::array<double, mostSectors> weights; // shares of the pixel
+  int count = 0;
+
+  // By the edges between them, each on its own.
+  void set(const CodePixel &pixel, const vpCircleMarkerLayout &layout, int sectors, double start)
+  {
+    const PlanePoint &point = pixel.point;
+    const double pitch = fullTurn / sectors;
+    const int own = static_cast<int>(std::floor((std::atan2(point.q.y(), point.q.x()) - start) / pitch));
+    const double blur = point.byPixel.norm() / std::max(point.q.norm(), layout.codeInner); // rad, at most
+    const int wide = std::clamp(static_cast<int>(std::ceil(reach * blur / pitch)), 1, mostReach);
+    count = 2 * wide + 1;
+    double from = beyond(start + (own - wide) * pitch, pixel.rims, point);
+    for (int k = 0; k < count; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const double to = beyond(start + (own - wide + k + 1) * pitch, pixel.rims, point);
+      numbers[i] = ((own - wide + k) % sectors + sectors) % sectors;
+      weights[i] = from - to;
+      from = to;
+    }
+  }
+
+  // Along lines.
+  void set(const TrackPiece *pieces, std::size_t pieceCount, double start, int sectors)
+  {
+    SectorVector shares = SectorVector::Zero();
+    std::for_each_n(pieces, pieceCount,
+                    [&](const TrackPiece &piece) { addSectors(piece, start, sectors, shares); });
+    count = 0;
+    for (int sector = 0; sector < sectors; ++sector) {
+      if (shares[sector] > leastShare) {
+        numbers[static_cast<std::size_t>(count)] = sector;
+        weights[static_cast<std::size_t>(count++)] = shares[sector];
+      }
+    }
+  }
+};
 } // namespace
 
 bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit,
-                const ImageFrame &frame, const vpCircleMarkerLayout &layout, CodeImage &track)
+                const ImageFrame &frame, const vpCircleMarkerLayout &layout, int sectors, CodeImage &track)
 {
   const Photometry &photometry = fit.photometry;
   if (photometry.shadow) {
@@ -99,6 +142,7 @@ bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, cons
     return false;
   }
   track.pixels.clear();
+  track.pieces.clear();
   double squaredContrast = 0.;
   for (int v = static_cast<int>(least.y() - margin); v <= static_cast<int>(most.y() + margin) + 1; ++v) {
     for (int u = static_cast<int>(least.x() - margin); u <= static_cast<int>(most.x() + margin) + 1; ++u) {
@@ -109,7 +153,8 @@ bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, cons
       PlanePoint point = planePoint({camera.toMeter(p), camera.meterPerPixel(p)}, fit.plane);
       point.byPixel = point.byPixel * blur;
       const Rims rims = {insideOf(layout.codeOuter, point), insideOf(layout.codeInner, point)};
-      if (rims.outer.distance < -around || rims.inner.distance > around) {
+      const bool isByLines = wantsLines(point, layout, sectors);
+      if (rims.outer.distance < -around || (rims.inner.distance > around && !isByLines)) {
         continue;
       }
       const Eigen::Vector2d offset = (p - frame.center) / frame.size;
@@ -119,7 +164,12 @@ bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, cons
       if ((light > brightest && grey > brightest) || contrast <= 0.) {
         return false;
       }
-      track.pixels.push_back({point, rims, photometry.blackOf(grey / light) - ringAt(layout, point)});
+      const std::size_t begin = track.pieces.size();
+      const double ring = isByLines ? cutLines(point, layout, track.pieces) : ringAt(layout, point);
+      if (isByLines && track.pieces.size() == begin) {
+        continue; // sees nothing of the track
+      }
+      track.pixels.push_back({point, rims, photometry.blackOf(grey / light) - ring, begin, track.pieces.size()});
       squaredContrast += contrast * contrast;
     }
   }
@@ -134,31 +184,20 @@ bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, cons
 Squares squaresOf(const CodeImage &track, const vpCircleMarkerLayout &layout, int sectors, double start)
 {
   Squares result;
-  const double pitch = fullTurn / sectors;
-  std::array<double, 2 * mostReach + 2> shares;
-  std::array<int, 2 * mostReach + 1> numbers;
-  std::array<double, 2 * mostReach + 1> weights;
+  SeenSectors seen;
   for (const CodePixel &pixel : track.pixels) {
-    const PlanePoint &point = pixel.point;
-    const double angle = std::atan2(point.q.y(), point.q.x()) - start;
-    const int own = static_cast<int>(std::floor(angle / pitch));
-    const double blur = point.byPixel.norm() / std::max(point.q.norm(), layout.codeInner); // rad, at most
-    const int wide = std::clamp(static_cast<int>(std::ceil(reach * blur / pitch)), 1, mostReach);
-    for (int k = 0; k <= 2 * wide + 1; ++k) {
-      shares[static_cast<std::size_t>(k)] = beyond(start + (own - wide + k) * pitch, pixel.rims, point);
+    if (pixel.begin == pixel.end) {
+      seen.set(pixel, layout, sectors, start);
     }
-    const int count = 2 * wide + 1;
-    for (int k = 0; k < count; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      numbers[i] = ((own - wide + k) % sectors + sectors) % sectors;
-      weights[i] = shares[i] - shares[i + 1];
+    else {
+      seen.set(&track.pieces[pixel.begin], pixel.end - pixel.begin, start, sectors);
     }
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < seen.count; ++i) {
       const auto a = static_cast<std::size_t>(i);
-      result.right[numbers[a]] += weights[a] * pixel.black;
-      for (int j = 0; j < count; ++j) {
+      result.right[seen.numbers[a]] += seen.weights[a] * pixel.black;
+      for (int j = 0; j < seen.count; ++j) {
         const auto b = static_cast<std::size_t>(j);
-        result.matrix(numbers[a], numbers[b]) += weights[a] * weights[b];
+        result.matrix(seen.numbers[a], seen.numbers[b]) += seen.weights[a] * seen.weights[b];
       }
     }
     result.squares += pixel.black * pixel.black;

@@ -26,6 +26,7 @@
 #include "refine/fit_pixel.h"
 #include "refine/fitted_pose.h"
 #include "refine/plane_point.h"
+#include "refine/track_lines.h"
 #include "support/camera_model.h"
 #include "support/normal_distribution.h"
 
@@ -62,13 +63,15 @@ struct CodePixel
 {
   PlanePoint point;
   Rims rims;
-  double black; // that is not explained by the ring: 0 for white, 1 for ink
+  double black;           // that is not explained by the ring: 0 for white, 1 for ink
+  std::size_t begin, end; // of its pieces, where its edges are no simple ones
 };
 
 /*! Pixels of the track, and how large the noise is on their black. */
 struct CodeImage
 {
   std::vector<CodePixel> pixels;
+  std::vector<TrackPiece> pieces;
   double noise = 0.;
 };
 
@@ -79,14 +82,14 @@ struct CodeImage
   \param fit : Pose, light and blur; the spin may be any.
   \param frame : Coordinates of the image in which the light was measured.
   \param layout : Radii of the track.
+  \param sectors : Of the code.
   \param track : The result; its memory is used again.
   \return False if the track leaves the image or the light is not known.
 */
 bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit,
-                const ImageFrame &frame, const vpCircleMarkerLayout &layout, CodeImage &track);
+                const ImageFrame &frame, const vpCircleMarkerLayout &layout, int sectors, CodeImage &track);
 
 using SectorMatrix = Eigen::Matrix<double, mostSectors, mostSectors>;
-using SectorVector = Eigen::Matrix<double, mostSectors, 1>;
 
 /*! Squared residuals as a quadratic form of the sectors' colours: squares - 2 right' c + c' matrix c. */
 struct Squares

@@ -32,53 +32,83 @@ constexpr double sameSpin = 0.95;
 
 constexpr double fullTurn = 2. * M_PI;
 
-/*! The quadratic form for whole words, by look-ups: what four sectors and the next four have to do with each other. */
+/*!
+  The quadratic form for whole words, by look-ups: what four sectors have to do with the next four, and, where pixels see
+  both sides of a marker, with all others.
+*/
 class WordCosts
 {
 public:
   WordCosts(const Squares &squares, unsigned int sectors) : m_groups((sectors + 3) / 4)
   {
     for (unsigned int group = 0; group < m_groups; ++group) {
-      for (unsigned int value = 0; value < 256; ++value) {
-        m_costs[group][value] = static_cast<float>(costOf(squares, sectors, group, value));
+      m_near[group] = tableOf(squares, sectors, group, (group + 1) % m_groups, true);
+      for (unsigned int other = group + 2; other < m_groups && other < group + m_groups - 1; ++other) {
+        const Table table = tableOf(squares, sectors, group, other, false);
+        if (table.back() > 0.f) { // of all eight black: there is no more
+          m_far[m_farCount++] = {4 * group, 4 * other, table};
+        }
       }
     }
   }
 
-  float of(CyclicCode::Word word) const
+  // A cost that is greater than most is any that is greater: what sectors far apart have to do with each other adds to
+  // it, since a pixel sees no less than nothing of any.
+  float of(CyclicCode::Word word, float most) const
   {
     const CyclicCode::Word first = word & 15U;
     float cost = 0.f;
     for (unsigned int group = 0; group + 1 < m_groups; ++group) {
-      cost += m_costs[group][(word >> (4 * group)) & 255U];
+      cost += m_near[group][(word >> (4 * group)) & 255U];
     }
-    return cost + m_costs[m_groups - 1][(word >> (4 * (m_groups - 1))) | (first << 4)];
-  }
-
-private:
-  // Of the group's own bits, value & 15, and of their products with the next group's, value >> 4.
-  static double costOf(const Squares &squares, unsigned int sectors, unsigned int group, unsigned int value)
-  {
-    const bool isLast = 4 * group + 4 >= sectors;
-    double cost = 0.;
-    for (unsigned int i = 0; i < 4; ++i) {
-      if (((value >> i) & 1U) == 0 || 4 * group + i >= sectors) {
-        continue;
-      }
-      const unsigned int a = sectors - 1 - 4 * group - i; // sector 0 is the most significant bit
-      cost += squares.matrix(a, a) - 2. * squares.right[a];
-      for (unsigned int j = i + 1; j < 8; ++j) {
-        const unsigned int bit = j < 4 ? 4 * group + j : isLast ? j - 4 : 4 * group + j;
-        if (((value >> j) & 1U) != 0 && bit < sectors) {
-          cost += 2. * squares.matrix(a, sectors - 1 - bit);
-        }
-      }
+    cost += m_near[m_groups - 1][(word >> (4 * (m_groups - 1))) | (first << 4)];
+    for (unsigned int k = 0; k < m_farCount && cost <= most; ++k) {
+      cost += m_far[k].costs[((word >> m_far[k].shift) & 15U) | (((word >> m_far[k].otherShift) & 15U) << 4)];
     }
     return cost;
   }
 
+private:
+  static constexpr unsigned int mostGroups = (mostSectors + 3) / 4;
+  using Table = std::array<float, 256>;
+
+  struct Far
+  {
+    unsigned int shift, otherShift;
+    Table costs;
+  };
+
+  // Of one group's bits with another's; hasOwn: and of the former alone.
+  static Table tableOf(const Squares &squares, unsigned int sectors, unsigned int group, unsigned int other,
+                       bool hasOwn)
+  {
+    Table costs;
+    for (unsigned int value = 0; value < costs.size(); ++value) {
+      double cost = 0.;
+      for (unsigned int i = 0; i < 4; ++i) {
+        if (((value >> i) & 1U) == 0 || 4 * group + i >= sectors) {
+          continue;
+        }
+        const unsigned int a = sectors - 1 - 4 * group - i; // sector 0 is the most significant bit
+        if (hasOwn) {
+          cost += squares.matrix(a, a) - 2. * squares.right[a];
+        }
+        for (unsigned int j = hasOwn ? i + 1 : 4; j < 8; ++j) {
+          const unsigned int bit = j < 4 ? 4 * group + j : 4 * other + j - 4;
+          if (((value >> j) & 1U) != 0 && bit < sectors) {
+            cost += 2. * squares.matrix(a, sectors - 1 - bit);
+          }
+        }
+      }
+      costs[value] = static_cast<float>(cost);
+    }
+    return costs;
+  }
+
   unsigned int m_groups;
-  std::array<std::array<float, 256>, (mostSectors + 3) / 4> m_costs;
+  unsigned int m_farCount = 0;
+  std::array<Table, mostGroups> m_near;
+  std::array<Far, mostGroups * (mostGroups - 3) / 2> m_far;
 };
 
 /*! A codeword at a phase. */
@@ -96,7 +126,7 @@ std::array<Contender, 2> bestTwo(const Squares &squares, const CyclicCode &code,
   CyclicCode::Word best = 0, second = 0;
   float bestCost = 0.f, secondCost = HUGE_VALF;
   code.forEachCodeword([&](CyclicCode::Word word) {
-    const float cost = costs.of(word);
+    const float cost = costs.of(word, secondCost);
     if (cost < bestCost) {
       second = best;
       secondCost = bestCost;
@@ -128,18 +158,19 @@ std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const 
                                          const vpCircleMarkerFamily &family, CodeImage &track, const Deadline &deadline)
 {
   const vpCircleMarkerLayout &layout = family.getLayout();
-  if (!lookAtCode(I, camera, fit, frame, layout, track)) {
+  const CyclicCode &code = codeOf(family);
+  const auto sectors = static_cast<int>(code.getLength());
+  if (!lookAtCode(I, camera, fit, frame, layout, sectors, track)) {
     return std::nullopt;
   }
-  const CyclicCode &code = codeOf(family);
-  const double pitch = fullTurn / code.getLength();
+  const double pitch = fullTurn / sectors;
   std::array<Contender, 2 * phases> contenders;
   for (int phase = 0; phase < phases; ++phase) {
     if (deadline.hasPassed()) { // a phase of bch31 takes about a millisecond
       return std::nullopt;
     }
     const double start = pitch * phase / phases;
-    const auto two = bestTwo(squaresOf(track, layout, static_cast<int>(code.getLength()), start), code, start);
+    const auto two = bestTwo(squaresOf(track, layout, sectors, start), code, start);
     std::copy(two.begin(), two.end(), contenders.begin() + 2 * phase);
   }
   const Contender &best = *std::min_element(contenders.begin(), contenders.end(),

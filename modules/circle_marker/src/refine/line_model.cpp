@@ -32,14 +32,14 @@ struct Node
   float place;
   float weight;
 };
-// Lines at right angles to a ring's edges see a smooth function of their place: the Gauss-Hermite rule of five nodes
+// Lines at right angles to a ring's edges that bend little see a smooth function of their place: the Gauss-Hermite rule of five nodes
 // (Abramowitz and Stegun, table 25.10, for the standard normal distribution).
 constexpr std::array<Node, 5> ringNodes = {{{-2.856970f, 0.01125741f},
                                             {-1.355626f, 0.22207592f},
                                             {0.f, 0.53333333f},
                                             {1.355626f, 0.22207592f},
                                             {2.856970f, 0.01125741f}}};
-// Lines at 45 degrees to edges see a function that is no smoother than the blur: the trapezoidal rule with a step of
+// Lines at 45 degrees to edges, and at right angles to edges that bend sharply, see a function that is no smoother than the blur: the trapezoidal rule with a step of
 // 1.2 standard deviations, whose error is exp(-(2 pi / 1.2)^2 / 4) = 1e-3 of an edge.
 constexpr std::array<Node, 12> trackNodes = {{{-3.3f, 0.00103381f},
                                               {-2.7f, 0.00625418f},
@@ -63,6 +63,14 @@ constexpr float leastCosine = 0.2f;
 // there the depth is biased by less than a fifth of its standard deviation.
 constexpr float strongBendOfRing = 0.09f;
 constexpr float strongBendOfTrack = 0.13f;
+// A parabola is one side of a circle. The other side is seen from this many standard deviations: 0.1 % of an edge lie
+// beyond.
+constexpr float seenAcross = 3.f;
+// Where borders between sectors are closer to each other than this many standard deviations, more of them are seen than
+// the five of a block.
+constexpr float leastSpacing = 1.6f;
+// Where a circle of the ring bends by more than this, lines that cross it see less than half of the blur inside of it.
+constexpr float sharpBend = 0.25f;
 } // namespace
 
 // Points (q0 + s m) / (w0 + s w) of the plane, with s in standard deviations of the blur from the point nearest to the
@@ -99,6 +107,7 @@ LineModel::LineModel(const MarkerPlane &plane, const MarkerPattern &pattern, con
 {
   const int sectors = static_cast<int>(pattern.sectors);
   if (sectors > 0) {
+    m_sectorAngle = 6.2831853f / static_cast<float>(sectors);
     m_first = pattern.isBlack(-1) ? 1.f : 0.f;
   }
   for (int k = 0; k < sectors; ++k) {
@@ -249,7 +258,7 @@ Lanes LineModel::darkness(const PixelBlock &block, PixelSight sight) const
       black += node.weight * part;
     }
   };
-  if (hasTrack) {
+  if (hasTrack || bendAt(p) > sharpBend * m_ring[0]) {
     sumOver(trackNodes);
   }
   else {
@@ -258,19 +267,35 @@ Lanes LineModel::darkness(const PixelBlock &block, PixelSight sight) const
   return black;
 }
 
+// Of a circle of radius 1, the largest among the pixels. The curvature of a circle about the centre is h^2 / (r g), with
+// the gradient g of the radius r and the derivative h of the place on the plane along both circles.
+float LineModel::bendAt(const PlaneLanes &p) const
+{
+  const Lanes hu = p.qyByU * p.outX - p.qxByU * p.outY;
+  const Lanes hv = p.qyByV * p.outX - p.qxByV * p.outY;
+  const Lanes h = (hv * p.gradientU - hu * p.gradientV) / p.gradient;
+  return 0.5f / m_perSigma * (h * h / p.gradient).maxCoeff();
+}
+
 bool LineModel::isBent(const PixelBlock &block, PixelSight sight) const
 {
   PlaneLanes p;
   m_homography.apply(block.place, p);
-  // Curvature of a circle about the centre: h^2 / (r g), with the gradient g of the radius r and the derivative h of
-  // the place on the plane along both circles.
   const Lanes hu = p.qyByU * p.outX - p.qxByU * p.outY;
   const Lanes hv = p.qyByV * p.outX - p.qxByV * p.outY;
-  const Lanes h = (hv * p.gradientU - hu * p.gradientV) / p.gradient;
-  const float bend = 0.5f / m_perSigma * (h * h / p.gradient).maxCoeff(); // of a circle of radius 1
+  const float bend = bendAt(p);
   const float ring = m_ring[1] > 0.f ? m_ring[1] : m_ring[0];
-  return (sight != PixelSight::TRACK && bend > strongBendOfRing * ring) ||
-         (sight != PixelSight::RING && bend > strongBendOfTrack * m_track[1]);
+  const auto isSeenAcross = [&](float radius) {
+    return ((p.radius + radius) / p.gradient).minCoeff() * m_perSigma < seenAcross;
+  };
+  if (sight != PixelSight::RING && m_borderCount > 0) {
+    const float spacing = m_sectorAngle * m_perSigma * (p.radius * (hu * hu + hv * hv).rsqrt()).minCoeff();
+    if (spacing < leastSpacing) {
+      return true;
+    }
+  }
+  return (sight != PixelSight::TRACK && (bend > strongBendOfRing * ring || isSeenAcross(ring))) ||
+         (sight != PixelSight::RING && (bend > strongBendOfTrack * m_track[1] || isSeenAcross(m_track[1])));
 }
 
 bool correctBends(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,

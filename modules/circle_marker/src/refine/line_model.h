@@ -60,6 +60,7 @@ private:
   struct Crossing;
   using Crossings = std::array<Crossing, bordersOfCode>; // with each of the borders
 
+  float bendAt(const PlaneLanes &p) const;
   Chord chordOf(const Line &line, float radius, const Lanes &growth) const;
   Lanes ringAlong(const Line &line) const;
   void crossBorders(const PlaneLanes &p, const Lanes &u, const Lanes &v, const Line &line, Crossings &crossings) const;
@@ -79,6 +80,7 @@ private:
   std::array<Border, bordersOfCode> m_borders;
   std::size_t m_borderCount = 0;
   float m_first = 0.f; // 1 if the sector that ends at the full turn is black
+  float m_sectorAngle = 0.f;    // rad
   float m_perSigma, m_spread;
 };
 

@@ -104,8 +104,8 @@ void putSurroundOfBlock(const std::vector<FitPixel> &pixels, const unsigned int 
   }
 }
 
-// What pixels at these radii may see, as the numbers of PixelSight; margin: how far they see, in radii.
-Lanes sightOf(const Lanes &radius, const Lanes &margin, const MarkerPattern &pattern)
+// What pixels may see that see from one radius to another, as the numbers of PixelSight.
+Lanes sightOf(const Lanes &least, const Lanes &most, const MarkerPattern &pattern)
 {
   if (pattern.sectors == 0) {
     return Lanes::Zero();
@@ -113,8 +113,18 @@ Lanes sightOf(const Lanes &radius, const Lanes &margin, const MarkerPattern &pat
   const auto outerRim = static_cast<float>(pattern.track[0].radius);
   const auto innerRim = static_cast<float>(pattern.track[1].radius);
   const auto ring = static_cast<float>(pattern.ring[1].radius);
-  const Lanes seesTrack = isPositive(outerRim + margin - radius) * isPositive(radius - innerRim + margin);
-  return seesTrack * (2.f - isPositive(ring - margin - radius));
+  const Lanes seesTrack = isPositive(outerRim - least) * isPositive(most - innerRim);
+  return seesTrack * (2.f - isPositive(ring - most));
+}
+
+// The largest radius that pixels see: on the long axis of an oblique marker the circles are nearest across it, where the
+// radius does not change at first.
+Lanes farthestOf(const PlaneLanes &point, float seen)
+{
+  const Lanes alongU = point.qyByU * point.outX - point.qxByU * point.outY;
+  const Lanes alongV = point.qyByV * point.outX - point.qxByV * point.outY;
+  const Lanes out = point.radius + seen * point.gradient;
+  return (out * out + seen * seen * (alongU * alongU + alongV * alongV)).sqrt();
 }
 
 // Within a kind and a direction, pixels come by the edges that they may see, so that a block sees as few as can be: the
@@ -174,7 +184,8 @@ public:
       const Lanes angle = roughAngle(point.qx, point.qy);
       const Lanes direction = (perTurn * (angle + 3.1415927f)).max(0.f).min(directions - 0.5f).floor();
       const Lanes margin = static_cast<float>(seen) * point.gradient;
-      const Lanes sight = sightOf(point.radius, margin, m_pattern);
+      const Lanes most = farthestOf(point, static_cast<float>(seen));
+      const Lanes sight = sightOf(point.radius - margin, most, m_pattern);
       const Lanes group = groupOf(sight, point.radius, margin, angle);
       // A pixel that does not see the plane has any place, but in the table.
       const Lanes bins = binOf(sight, direction, group).max(0.f).min(lastBin);
