@@ -108,8 +108,7 @@ struct SeenSectors
   void set(const TrackPiece *pieces, std::size_t pieceCount, double start, int sectors)
   {
     SectorVector shares = SectorVector::Zero();
-    std::for_each_n(pieces, pieceCount,
-                    [&](const TrackPiece &piece) { addSectors(piece, start, sectors, shares); });
+    std::for_each_n(pieces, pieceCount, [&](const TrackPiece &piece) { addSectors(piece, start, sectors, shares); });
     count = 0;
     for (int sector = 0; sector < sectors; ++sector) {
       if (shares[sector] > leastShare) {

@@ -33,8 +33,8 @@ constexpr double sameSpin = 0.95;
 constexpr double fullTurn = 2. * M_PI;
 
 /*!
-  The quadratic form for whole words, by look-ups: what four sectors have to do with the next four, and, where pixels see
-  both sides of a marker, with all others.
+  The quadratic form for whole words, by look-ups: what four sectors have to do with the next four, and, where pixels
+  see both sides of a marker, with all others.
 */
 class WordCosts
 {
@@ -108,7 +108,7 @@ private:
   unsigned int m_groups;
   unsigned int m_farCount = 0;
   std::array<Table, mostGroups> m_near;
-  std::array<Far, mostGroups * (mostGroups - 3) / 2> m_far;
+  std::array<Far, mostGroups *(mostGroups - 3) / 2> m_far;
 };
 
 /*! A codeword at a phase. */

@@ -32,15 +32,16 @@ struct Node
   float place;
   float weight;
 };
-// Lines at right angles to a ring's edges that bend little see a smooth function of their place: the Gauss-Hermite rule of five nodes
-// (Abramowitz and Stegun, table 25.10, for the standard normal distribution).
+// Lines at right angles to a ring's edges that bend little see a smooth function of their place: the Gauss-Hermite rule
+// of five nodes (Abramowitz and Stegun, table 25.10, for the standard normal distribution).
 constexpr std::array<Node, 5> ringNodes = {{{-2.856970f, 0.01125741f},
                                             {-1.355626f, 0.22207592f},
                                             {0.f, 0.53333333f},
                                             {1.355626f, 0.22207592f},
                                             {2.856970f, 0.01125741f}}};
-// Lines at 45 degrees to edges, and at right angles to edges that bend sharply, see a function that is no smoother than the blur: the trapezoidal rule with a step of
-// 1.2 standard deviations, whose error is exp(-(2 pi / 1.2)^2 / 4) = 1e-3 of an edge.
+// Lines at 45 degrees to edges, and at right angles to edges that bend sharply, see a function that is no smoother than
+// the blur: the trapezoidal rule with a step of 1.2 standard deviations, whose error is exp(-(2 pi / 1.2)^2 / 4) = 1e-3
+// of an edge.
 constexpr std::array<Node, 12> trackNodes = {{{-3.3f, 0.00103381f},
                                               {-2.7f, 0.00625418f},
                                               {-2.1f, 0.02639699f},
@@ -267,8 +268,8 @@ Lanes LineModel::darkness(const PixelBlock &block, PixelSight sight) const
   return black;
 }
 
-// Of a circle of radius 1, the largest among the pixels. The curvature of a circle about the centre is h^2 / (r g), with
-// the gradient g of the radius r and the derivative h of the place on the plane along both circles.
+// Of a circle of radius 1, the largest among the pixels. The curvature of a circle about the centre is h^2 / (r g),
+// with the gradient g of the radius r and the derivative h of the place on the plane along both circles.
 float LineModel::bendAt(const PlaneLanes &p) const
 {
   const Lanes hu = p.qyByU * p.outX - p.qxByU * p.outY;

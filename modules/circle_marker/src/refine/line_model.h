@@ -79,8 +79,8 @@ private:
   std::array<float, 2> m_track; // radii of the track's rims
   std::array<Border, bordersOfCode> m_borders;
   std::size_t m_borderCount = 0;
-  float m_first = 0.f; // 1 if the sector that ends at the full turn is black
-  float m_sectorAngle = 0.f;    // rad
+  float m_first = 0.f;       // 1 if the sector that ends at the full turn is black
+  float m_sectorAngle = 0.f; // rad
   float m_perSigma, m_spread;
 };
 

@@ -45,7 +45,11 @@ int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, const Bl
   const double minor = plane.radius * std::abs(tilt) / (plane.center.norm() * unit); // pixels
   const double sector = 2. * M_PI / pattern.sectors * pattern.track[1].radius * minor;
   // With k to either side of the nearest, the next one is at least k + 1/2 sectors away.
-  return std::min(distance < 0.5 * sector ? 1 : distance < 1.5 * sector ? 3 : 5, mostSeen);
+  const int seen = distance < 0.5 * sector   ? 1
+                   : distance < 1.5 * sector ? 3
+                   : distance < 2.5 * sector ? 5
+                                             : mostBorders;
+  return std::min(seen, mostSeen);
 }
 
 // What the surround may do to a pixel: something between nothing and all of its share.
@@ -117,8 +121,8 @@ Lanes sightOf(const Lanes &least, const Lanes &most, const MarkerPattern &patter
   return seesTrack * (2.f - isPositive(ring - most));
 }
 
-// The largest radius that pixels see: on the long axis of an oblique marker the circles are nearest across it, where the
-// radius does not change at first.
+// The largest radius that pixels see: on the long axis of an oblique marker the circles are nearest across it, where
+// the radius does not change at first.
 Lanes farthestOf(const PlaneLanes &point, float seen)
 {
   const Lanes alongU = point.qyByU * point.outX - point.qxByU * point.outY;

@@ -19,10 +19,10 @@
   \file track_lines.h
   \brief Sectors of a code that are smaller than the blur: integrated along lines.
 
-  The code's counterpart of line_model.h, sector by sector: which of them are black is what is asked for. A Gaussian blur
-  is the product of one along the lines of a direction and one across them. Within a few standard deviations of a pixel
-  the plane is taken for a linear map of the image, which it is to a hundredth on a marker as far away as it has to be to
-  be as small. Where a line crosses circles and borders is known without approximation then.
+  The code's counterpart of line_model.h, sector by sector: which of them are black is what is asked for. A Gaussian
+  blur is the product of one along the lines of a direction and one across them. Within a few standard deviations of a
+  pixel the plane is taken for a linear map of the image, which it is to a hundredth on a marker as far away as it has
+  to be to be as small. Where a line crosses circles and borders is known without approximation then.
 */
 
 #ifndef VP_CIRCLE_MARKER_TRACK_LINES_H
