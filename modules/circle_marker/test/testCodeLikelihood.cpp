@@ -76,6 +76,30 @@ TEST(CodeLikelihood, SmallCodesAreReadWithTheirSpin)
   }
 }
 
+// A pixel sees the sectors of both sides of so narrow a marker.
+TEST(CodeLikelihood, CodesAtGrazingAnglesAreReadWithTheirSpin)
+{
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31R}) {
+    const vpCircleMarkerFamily family(type);
+    const double pitch = 2. * M_PI / family.getNbSectors();
+    for (int i = 0; i < 20; ++i) {
+      const int id = static_cast<int>(random() % family.getNbIds());
+      const double minor = uniform(random, 4.5, 8.);
+      const double tilt = std::acos(minor / uniform(random, 24., 40.));
+      const MarkerScene scene = markerScene(random, family, id, minor / std::cos(tilt), tilt, side);
+      const double spin = pitch / 8. * static_cast<double>(random() % 100); // one of those that are tried
+      const auto code = read(imageOf(scene, random), scene, spin);
+      ASSERT_TRUE(code);
+      EXPECT_EQ(code->best.id, id) << family.getName() << " minor axis " << minor << " tilt " << tilt;
+      EXPECT_LT(std::abs(std::remainder(code->best.spin - spin, 2. * M_PI)), 0.15 * pitch);
+      EXPECT_GT(code->odds, 25.) << family.getName() << " minor axis " << minor << " tilt " << tilt;
+      EXPECT_LT(code->unexplained, 1.) << family.getName() << " minor axis " << minor << " tilt " << tilt;
+      EXPECT_GT(code->unexplained, 0.1) << "squares of residuals that are not all of them";
+    }
+  }
+}
+
 // A word that is no codeword, nor near one, is not explained by any.
 TEST(CodeLikelihood, WhatIsNoCodewordIsNotExplained)
 {

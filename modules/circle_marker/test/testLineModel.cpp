@@ -169,6 +169,33 @@ TEST(LineModel, CorrectionTakesMostOfTheParabolasErrorAway)
   }
 }
 
+// Down to a minor axis of four pixels, where both sides of a circle and many sectors lie within the blur.
+TEST(LineModel, CorrectedMarkersAgreeWithIntegrationFromFourPixelsMinorAxis)
+{
+  Random random = randomOfTest();
+  for (const vpCircleMarkerFamily::vpType type : families) {
+    const vpCircleMarkerFamily family(type);
+    for (int i = 0; i < 8; ++i) {
+      const double minorAxis = uniform(random, 4., 9.);
+      const double tilt = std::acos(minorAxis / uniform(random, 18., 40.));
+      const int id = family.isCoded() ? static_cast<int>(random() % family.getNbIds()) : -1;
+      Case made(markerScene(random, family, id, minorAxis / std::cos(tilt), tilt, side), uniform(random, 0.5, 0.9));
+      correctBends(made.plane, made.pattern, made.photometry.blur, made.blocks);
+      const ImageModel model(made.plane, made.pattern, made.photometry.blur, made.blocks);
+      Error error;
+      made.forEachBlock([&](PixelSight sight, const PixelBlock &block, int count) {
+        Lanes darkness;
+        model.evaluate(block, sight, darkness);
+        for (int lane = 0; lane < count; ++lane) {
+          error.add(static_cast<double>(darkness[lane]), static_cast<double>(block.grey[lane]));
+        }
+      });
+      EXPECT_LT(error.worst, 0.05) << family.getName() << " minor axis " << minorAxis << " tilt " << tilt;
+      EXPECT_LT(error.rootMeanSquare(), 0.006) << family.getName() << " minor axis " << minorAxis << " tilt " << tilt;
+    }
+  }
+}
+
 TEST(LineModel, LargeMarkersAreNotCorrected)
 {
   Random random = randomOfTest();

@@ -61,6 +61,7 @@ constexpr double leastHopelessSize = 20.;
 // the fit goes on by a part of what is left of its way.
 constexpr double paperMoved = 0.03;
 constexpr int mostLooksAtEnd = 3;
+constexpr double narrowQuietZone = 20.; // radius, pixels: that is less than four wide
 
 // Whether a ring has the design's ratio of radii, whatever the first look at it said: it fits, and black is not larger
 // or smaller than printers and cameras make it.
@@ -133,9 +134,11 @@ RankedFits fitAllPixelsAtEnd(const MarkerInImage &view, const RankedFits &coarse
 {
   RankedFits before = coarse;
   RankedFits ranked = fitAllPixels(view, before, settings, pattern, memory);
-  for (int look = 1; look < mostLooksAtEnd && !ranked.fits.empty() && hasOtherEnd(view, before, ranked.fits[0]) &&
-                     std::any_of(memory.pixels.begin(), memory.pixels.end(),
-                                 [](const FitPixel &pixel) { return pixel.seesSurround(); });
+  const bool isNarrow = view.frame.size < narrowQuietZone;
+  for (int look = 1;
+       look < mostLooksAtEnd && isNarrow && !ranked.fits.empty() && hasOtherEnd(view, before, ranked.fits[0]) &&
+       std::any_of(memory.pixels.begin(), memory.pixels.end(),
+                   [](const FitPixel &pixel) { return pixel.seesSurround(); });
        ++look) {
     const RankedFits again = fitAllPixels(view, ranked, settings, pattern, memory);
     if (again.fits.empty()) {
