@@ -87,7 +87,8 @@ TEST(CodeLikelihood, CodesAtGrazingAnglesAreReadWithTheirSpin)
       const int id = static_cast<int>(random() % family.getNbIds());
       const double minor = uniform(random, 4.5, 8.);
       const double tilt = std::acos(minor / uniform(random, 24., 40.));
-      const MarkerScene scene = markerScene(random, family, id, minor / std::cos(tilt), tilt, side);
+      MarkerScene scene = markerScene(random, family, id, minor / std::cos(tilt), tilt, side);
+      scene.sheet = 1e9;                                                    // what lies beyond it would be seen
       const double spin = pitch / 8. * static_cast<double>(random() % 100); // one of those that are tried
       const auto code = read(imageOf(scene, random), scene, spin);
       ASSERT_TRUE(code);

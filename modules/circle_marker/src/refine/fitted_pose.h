@@ -60,7 +60,7 @@ struct FitSettings
   bool bend = false;       //!< Whether the sheet may be bent.
   bool exactBends = true;  //!< Whether edges that bend strongly are corrected (correctBends()).
   double poseError = 1.;   //!< How far a fit may go until its pixels are sorted anew, pixels.
-  int bordersSeen = 9;     //!< Borders between sectors that a pixel may see at most: 1, 3, 5 or 9.
+  int bordersSeen = 5;     //!< Borders between sectors that a pixel may see at most: 1, 3 or 5.
   int mostIterations = 25; //!< Levenberg-Marquardt steps; 0 only evaluates the start.
   //! A step is the last when what it leaves of the way is expected to be less than this share of a standard deviation.
   double convergence = 0.15;

@@ -229,14 +229,12 @@ void ImageModel::evaluateParabolas(const PixelBlock &block, PixelSight sight, Re
   else if (sight == PixelSight::TRACK) {
     m_borders == 1   ? evaluateAs<PixelSight::TRACK, 1>(block, result)
     : m_borders == 3 ? evaluateAs<PixelSight::TRACK, 3>(block, result)
-    : m_borders == 5 ? evaluateAs<PixelSight::TRACK, 5>(block, result)
-                     : evaluateAs<PixelSight::TRACK, mostBorders>(block, result);
+                     : evaluateAs<PixelSight::TRACK, 5>(block, result);
   }
   else {
     m_borders == 1   ? evaluateAs<PixelSight::RING_AND_TRACK, 1>(block, result)
     : m_borders == 3 ? evaluateAs<PixelSight::RING_AND_TRACK, 3>(block, result)
-    : m_borders == 5 ? evaluateAs<PixelSight::RING_AND_TRACK, 5>(block, result)
-                     : evaluateAs<PixelSight::RING_AND_TRACK, mostBorders>(block, result);
+                     : evaluateAs<PixelSight::RING_AND_TRACK, 5>(block, result);
   }
 }
 

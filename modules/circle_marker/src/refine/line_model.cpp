@@ -40,13 +40,21 @@ constexpr std::array<Node, 5> ringNodes = {{{-2.856970f, 0.01125741f},
                                             {1.355626f, 0.22207592f},
                                             {2.856970f, 0.01125741f}}};
 // Lines at 45 degrees to edges see a function that is no smoother than the blur, and has kinks where they pass corners:
-// the trapezoidal rule with a step of 0.3 standard deviations. With one of 0.6 the kinks leave 0.3 % of the contrast.
-constexpr std::array<Node, 24> aslantNodes = {
-    {{-3.45f, 0.00031158f}, {-3.15f, 0.00083853f}, {-2.85f, 0.00206245f}, {-2.55f, 0.00463620f}, {-2.25f, 0.00952477f},
-     {-1.95f, 0.01788381f}, {-1.65f, 0.03068875f}, {-1.35f, 0.04812954f}, {-1.05f, 0.06898548f}, {-0.75f, 0.09036853f},
-     {-0.45f, 0.10819078f}, {-0.15f, 0.11837956f}, {0.15f, 0.11837956f},  {0.45f, 0.10819078f},  {0.75f, 0.09036853f},
-     {1.05f, 0.06898548f},  {1.35f, 0.04812954f},  {1.65f, 0.03068875f},  {1.95f, 0.01788381f},  {2.25f, 0.00952477f},
-     {2.55f, 0.00463620f},  {2.85f, 0.00206245f},  {3.15f, 0.00083853f},  {3.45f, 0.00031158f}}};
+// the trapezoidal rule with a step of 0.45 standard deviations. With one of 0.6 the kinks leave 0.3 % of the contrast.
+constexpr std::array<Node, 14> aslantNodes = {{{-2.925f, 0.00249425f},
+                                               {-2.475f, 0.00840635f},
+                                               {-2.025f, 0.02313827f},
+                                               {-1.575f, 0.05201270f},
+                                               {-1.125f, 0.09548678f},
+                                               {-0.675f, 0.14316357f},
+                                               {-0.225f, 0.17529808f},
+                                               {0.225f, 0.17529808f},
+                                               {0.675f, 0.14316357f},
+                                               {1.125f, 0.09548678f},
+                                               {1.575f, 0.05201270f},
+                                               {2.025f, 0.02313827f},
+                                               {2.475f, 0.00840635f},
+                                               {2.925f, 0.00249425f}}};
 // Crossings farther away than this many standard deviations see none of the blur.
 constexpr float farFromCrossing = 5.f;
 // Lines cross the borders that matter more steeply than this.
@@ -278,25 +286,29 @@ bool LineModel::isBent(const PixelBlock &block, PixelSight sight) const
 {
   PlaneLanes p;
   m_homography.apply(block.place, p);
-  const Lanes hu = p.qyByU * p.outX - p.qxByU * p.outY;
-  const Lanes hv = p.qyByV * p.outX - p.qxByV * p.outY;
-  const float bend = bendAt(p);
-  const float ring = m_ring[1] > 0.f ? m_ring[1] : m_ring[0];
-  const auto isSeenAcross = [&](float radius) {
-    return ((p.radius + radius) / p.gradient).minCoeff() * m_perSigma < seenAcross;
-  };
   const Lanes squaredWidth = p.qxByU * p.qxByU + p.qxByV * p.qxByV + p.qyByU * p.qyByU + p.qyByV * p.qyByV;
   if (squaredWidth.maxCoeff() > m_perSigma * m_perSigma / (leastSemiMinor * leastSemiMinor)) {
     return true;
   }
-  if (sight != PixelSight::RING && m_borderCount > 0) {
-    const float spacing = m_sectorAngle * m_perSigma * (p.radius * (hu * hu + hv * hv).rsqrt()).minCoeff();
-    if (spacing < leastSpacing) {
-      return true;
-    }
+  const float bend = bendAt(p);
+  const auto isSeenAcross = [&](float radius) {
+    return ((p.radius + radius) / p.gradient).minCoeff() * m_perSigma < seenAcross;
+  };
+  const float ring = m_ring[1] > 0.f ? m_ring[1] : m_ring[0];
+  if (sight != PixelSight::TRACK && (bend > strongBendOfRing * ring || isSeenAcross(ring))) {
+    return true;
   }
-  return (sight != PixelSight::TRACK && (bend > strongBendOfRing * ring || isSeenAcross(ring))) ||
-         (sight != PixelSight::RING && (bend > strongBendOfTrack * m_track[1] || isSeenAcross(m_track[1])));
+  return sight != PixelSight::RING &&
+         (bend > strongBendOfTrack * m_track[1] || isSeenAcross(m_track[1]) || hasManyBorders(p));
+}
+
+// Whether more borders between sectors are seen than a block has.
+bool LineModel::hasManyBorders(const PlaneLanes &p) const
+{
+  const Lanes hu = p.qyByU * p.outX - p.qxByU * p.outY;
+  const Lanes hv = p.qyByV * p.outX - p.qxByV * p.outY;
+  const Lanes spacing = m_sectorAngle * m_perSigma * p.radius * (hu * hu + hv * hv).rsqrt();
+  return m_borderCount > 0 && spacing.minCoeff() < leastSpacing;
 }
 
 bool correctBends(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,

@@ -61,6 +61,7 @@ private:
   using Crossings = std::array<Crossing, bordersOfCode>; // with each of the borders
 
   float bendAt(const PlaneLanes &p) const;
+  bool hasManyBorders(const PlaneLanes &p) const;
   Chord chordOf(const Line &line, float radius, const Lanes &growth) const;
   Lanes ringAlong(const Line &line) const;
   void crossBorders(const PlaneLanes &p, const Lanes &u, const Lanes &v, const Line &line, Crossings &crossings) const;

@@ -17,7 +17,6 @@
 
 #include "refine/measure.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -57,11 +56,6 @@ constexpr double mostNearer = 1.5;
 // Of markers below this radius, pixels, both poses are refined: all pixels cost little more than the few, and a coarse
 // fit that was stuck made the right pose of some markers of 16 pixels hopeless.
 constexpr double leastHopelessSize = 20.;
-// The paper's end is taken from where it is to where the fit has moved from this, pixels, and that so often: each time
-// the fit goes on by a part of what is left of its way.
-constexpr double paperMoved = 0.03;
-constexpr int mostLooksAtEnd = 3;
-constexpr double narrowQuietZone = 20.; // radius, pixels: that is less than four wide
 
 // Whether a ring has the design's ratio of radii, whatever the first look at it said: it fits, and black is not larger
 // or smaller than printers and cameras make it.
@@ -115,37 +109,6 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, Fit
       ranked = rank(memory.pixels, pattern, true, ranked.fits, *memory.fitter);
       keepTwo(ranked);
     }
-  }
-  return ranked;
-}
-
-// Whether a fit has moved from all of those before it by so much that the paper ends elsewhere.
-bool hasOtherEnd(const MarkerInImage &view, const RankedFits &before, const FittedPose &now)
-{
-  const double far = paperMoved * meterPerPixelAt(now.plane, view.camera);
-  return std::all_of(before.fits.begin(), before.fits.end(),
-                     [&](const FittedPose &fit) { return outlineMotion(fit.plane, now.plane) > far; });
-}
-
-// The same, again where the pixels see the paper's end: how much each sees of what lies beyond was told by the poses
-// before.
-RankedFits fitAllPixelsAtEnd(const MarkerInImage &view, const RankedFits &coarse, const FitSettings &settings,
-                             MarkerPattern &pattern, MeasureMemory &memory)
-{
-  RankedFits before = coarse;
-  RankedFits ranked = fitAllPixels(view, before, settings, pattern, memory);
-  const bool isNarrow = view.frame.size < narrowQuietZone;
-  for (int look = 1;
-       look < mostLooksAtEnd && isNarrow && !ranked.fits.empty() && hasOtherEnd(view, before, ranked.fits[0]) &&
-       std::any_of(memory.pixels.begin(), memory.pixels.end(),
-                   [](const FitPixel &pixel) { return pixel.seesSurround(); });
-       ++look) {
-    const RankedFits again = fitAllPixels(view, ranked, settings, pattern, memory);
-    if (again.fits.empty()) {
-      break;
-    }
-    before = ranked;
-    ranked = again;
   }
   return ranked;
 }
@@ -214,7 +177,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
       hopelessCost = costOf(fits[1].squares - fits[0].squares, ranked.noise);
       fits.pop_back();
     }
-    ranked = fitAllPixelsAtEnd(view, ranked, settings, pattern, memory);
+    ranked = fitAllPixels(view, ranked, settings, pattern, memory);
     if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && !marker.seen && pattern.sectors > 0) {
       ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
     }

@@ -45,11 +45,7 @@ int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, const Bl
   const double minor = plane.radius * std::abs(tilt) / (plane.center.norm() * unit); // pixels
   const double sector = 2. * M_PI / pattern.sectors * pattern.track[1].radius * minor;
   // With k to either side of the nearest, the next one is at least k + 1/2 sectors away.
-  const int seen = distance < 0.5 * sector   ? 1
-                   : distance < 1.5 * sector ? 3
-                   : distance < 2.5 * sector ? 5
-                                             : mostBorders;
-  return std::min(seen, mostSeen);
+  return std::min(distance < 0.5 * sector ? 1 : distance < 1.5 * sector ? 3 : 5, mostSeen);
 }
 
 // What the surround may do to a pixel: something between nothing and all of its share.

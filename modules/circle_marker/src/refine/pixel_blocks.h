@@ -45,7 +45,7 @@ enum class PixelSight
 constexpr std::size_t pixelSights = 3;
 
 /*! Borders between sectors that a pixel may see: the nearest one and as many to either side. */
-constexpr int mostBorders = 9;
+constexpr int mostBorders = 5;
 
 /*! Sectors around the marker's centre by which neighbouring pixels are told from others. */
 constexpr std::size_t directions = 32;
@@ -102,7 +102,7 @@ struct PixelBlocks
   std::optional<Sorting> sorting; //!< Nothing: they are not sorted.
 
   ImageReference reference;                                 //!< Origin and unit of the places.
-  int borders = mostBorders;                                //!< Borders that a pixel may see: 1, 3, 5 or 9.
+  int borders = mostBorders;                                //!< Borders that a pixel may see: 1, 3 or 5.
   std::array<std::vector<PixelBlock>, pixelSights> bySight; //!< Blocks of each kind.
   std::array<std::size_t, pixelSights> count = {{0, 0, 0}}; //!< Pixels of each kind.
   //! Direction from the marker's centre, below \e directions, of each block's first pixel: pixels come in its order.
@@ -131,7 +131,7 @@ double sightThrough(const BlurParameters &blur, double poseError);
   \param pattern : The print.
   \param blur : The other blur.
   \param poseError : How far the pose may be off, pixels.
-  \param mostSeen : Borders between sectors that a pixel may see at most: 1, 3, 5 or 9.
+  \param mostSeen : Borders between sectors that a pixel may see at most: 1, 3 or 5.
 */
 bool serve(const PixelBlocks &blocks, const MarkerPlane &plane, const MarkerPattern &pattern,
            const BlurParameters &blur, double poseError, int mostSeen);
@@ -144,7 +144,7 @@ bool serve(const PixelBlocks &blocks, const MarkerPlane &plane, const MarkerPatt
   \param photometry : Light and blur, roughly.
   \param noise : Standard deviation of a pixel's noise, grey levels; 0 if it is not known yet.
   \param poseError : How far the pose may be off and the sorting still be right, pixels.
-  \param mostSeen : Borders between sectors that a pixel may see at most: 1, 3, 5 or 9.
+  \param mostSeen : Borders between sectors that a pixel may see at most: 1, 3 or 5.
   \param blocks : The result; its memory is used again.
 */
 void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,

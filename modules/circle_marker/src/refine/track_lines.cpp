@@ -40,10 +40,11 @@ constexpr double end = 4.5;
 constexpr double leastShare = 1e-5;
 
 // As of the model that poses are fitted with (line_model.cpp): the bend, curvature times blur / 2, from which parabolas
-// leave an error that shows; standard deviations to the other side of a circle; between borders.
+// leave an error that shows; standard deviations to the other side of a circle; between borders; of a semi-minor axis.
 constexpr double strongBend = 0.13;
 constexpr double seenAcross = 3.;
 constexpr double leastSpacing = 1.6;
+constexpr double leastSemiMinor = 4.;
 
 // Where a line crosses a circle.
 struct Chord
@@ -116,6 +117,9 @@ struct Slopes
 
 bool wantsLines(const PlanePoint &point, const vpCircleMarkerLayout &layout, int sectors)
 {
+  if (point.byPixel.norm() * leastSemiMinor > 1.) {
+    return true;
+  }
   const Slopes slopes(point);
   const double r = point.q.norm();
   const double g = slopes.outward.norm();
