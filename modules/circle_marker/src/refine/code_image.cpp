@@ -78,6 +78,7 @@ double ringAt(const vpCircleMarkerLayout &layout, const PlanePoint &point)
   const double inner = layout.ringInner > 0. ? insideOf(layout.ringInner, point).share : 0.;
   return insideOf(1., point).share - inner;
 }
+
 // The sectors that a pixel sees.
 struct SeenSectors
 {

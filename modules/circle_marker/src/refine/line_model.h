@@ -17,7 +17,7 @@
 
 /*!
   \file line_model.h
-  \brief Darkness of pixels where edges bend within the blur: integrated along lines.
+  \brief Darkness of pixels where edges bend within the blur, or all of a marker lies within it: integrated along lines.
 
   A Gaussian blur is the product of one along the lines of a direction u and one across them. Along a line the print is
   black or white between crossings whose places are known without approximation, whatever the edges' bend: two of each
@@ -49,7 +49,10 @@ public:
   /*! Share of black that each pixel of a block sees. */
   Lanes darkness(const PixelBlock &block, PixelSight sight) const;
 
-  /*! Whether an edge that a pixel of the block may see bends by too much within the blur to be taken for a parabola. */
+  /*!
+    Whether parabolas are not enough for a pixel of the block: an edge that it may see bends by too much within the blur,
+    or both sides of a circle are seen, or more borders between sectors than a block has.
+  */
   bool isBent(const PixelBlock &block, PixelSight sight) const;
 
 private:
