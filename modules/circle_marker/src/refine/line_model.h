@@ -50,8 +50,8 @@ public:
   Lanes darkness(const PixelBlock &block, PixelSight sight) const;
 
   /*!
-    Whether parabolas are not enough for a pixel of the block: an edge that it may see bends by too much within the blur,
-    or both sides of a circle are seen, or more borders between sectors than a block has.
+    Whether parabolas are not enough for a pixel of the block: an edge that it may see bends by too much within the
+    blur, or both sides of a circle are seen, or more borders between sectors than a block has.
   */
   bool isBent(const PixelBlock &block, PixelSight sight) const;
 
