@@ -31,7 +31,8 @@ namespace {
 constexpr double fullTurn = 2. * M_PI;
 
 // Lines across the blur, by the trapezoidal rule: half of the steps to either side, 0.6 standard deviations each, and
-// what the normal distribution has there.
+// what the normal distribution has there. The 0.3 % that they leave is little beside the model error that the
+// codewords' likelihood reckons with (code_image.cpp).
 constexpr int lines = 12;
 constexpr double step = 0.6;
 // The blur's end, standard deviations.
