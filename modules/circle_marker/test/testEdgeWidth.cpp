@@ -128,3 +128,25 @@ TEST(LooksBlurred, APlainRingHasNothingInItsTrack)
   EXPECT_TRUE(looksBlurred(I, outlineOf(ring), false));
   EXPECT_FALSE(looksBlurred(I, outlineOf(ring), true));
 }
+
+// Where one side of a blurred marker is covered with grey, no blur that lenses or motions make explains what is left.
+TEST(LooksBlurred, NothingThatDiffersInOppositeDirections)
+{
+  Random random = randomOfTest();
+  MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 5, 80., 0., side);
+  scene.sheet = 2.;
+  vpImage<unsigned char> I = photograph(side, side, 3.6, scene);
+  EXPECT_TRUE(looksBlurred(I, outlineOf(scene), true));
+  // The ring's side from 0.75 of the radius on, over a little more than a quarter of the circle.
+  const Eigen::Vector2d center = scene.frame().center;
+  for (unsigned int v = 0; v < side; ++v) {
+    for (unsigned int u = 0; u < side; ++u) {
+      const Eigen::Vector2d away = Eigen::Vector2d(u, v) - center;
+      if (away.x() > std::abs(away.y()) && away.norm() > 0.75 * scene.frame().size &&
+          away.norm() < 1.05 * scene.frame().size) {
+        I[v][u] = static_cast<unsigned char>(std::lround(scene.white));
+      }
+    }
+  }
+  EXPECT_FALSE(looksBlurred(I, outlineOf(scene), true));
+}

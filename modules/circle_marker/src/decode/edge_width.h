@@ -38,8 +38,8 @@ double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outli
 
 /*!
   Whether an outline may be a marker seen through a strong blur, one that sectors cannot be read through one by one: its
-  edge is wide, its centre is as white as the paper around, its ring is dark and, if it has a code, its track has
-  something of both.
+  edge is wide, its centre is as white as the paper around, its ring is dark and the same in opposite directions and, if
+  it has a code, its track has something of both.
 */
 bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outline, bool isCoded);
 } // namespace circle_marker
