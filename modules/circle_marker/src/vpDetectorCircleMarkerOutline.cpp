@@ -91,7 +91,8 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
                                                      bench.measuring, visit.deadline);
       }
       else if (attempt.kind == ReadingKind::UNCERTAIN && mayProve && mayBeUncertain(outline.ellipse, family)) {
-        examination.marker = recogniseUncertain(visit.I, visit.camera, *poses, outline, family);
+        examination.marker =
+            recogniseUncertain(visit.I, visit.camera, *poses, outline, family, m_outlines.full.gradient.noise);
       }
       if (examination.marker && keepsDebug) {
         std::vector<vpCircleMarkerCandidate> &candidates = examination.candidates; // it is none as a whole marker only

@@ -22,6 +22,7 @@
 #include <utility>
 
 #include "decode/blurred_reading.h"
+#include "decode/code_asymmetry.h"
 #include "decode/covered_reading.h"
 #include "decode/edge_width.h"
 #include "decode/radial_profile.h"
@@ -240,10 +241,10 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
 
 std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
                                               const PosePair &poses, const EllipseCandidate &outline,
-                                              const vpCircleMarkerFamily &family)
+                                              const vpCircleMarkerFamily &family, double noise)
 {
-  // What was found by its dark line has one.
-  if (!outline.isByLine && !hasDarkRing(I, camera, poses[0])) {
+  // What was found by its dark line has a dark ring.
+  if (!isAsymmetricAsCode(I, outline.ellipse, noise) || (!outline.isByLine && !hasDarkRing(I, camera, poses[0]))) {
     return std::nullopt;
   }
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};

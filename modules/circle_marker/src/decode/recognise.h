@@ -71,12 +71,13 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
 
 /*!
   A marker whose code could not be read for certain: with the codeword that agrees best, which has to be proven once it
-  is measured. Nothing if the track is not made of sectors, or no dark ring shows all around an outline that was not
-  found by its dark line.
+  is measured. Nothing if the inside has no asymmetry as a code's, the track is not made of sectors, or no dark ring
+  shows all around an outline that was not found by its dark line.
+  \param noise : Standard deviation of the image's noise, grey levels.
 */
 std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
                                               const PosePair &poses, const EllipseCandidate &outline,
-                                              const vpCircleMarkerFamily &family);
+                                              const vpCircleMarkerFamily &family, double noise);
 
 /*!
   The ring of a marker of a family with a code, of which something covers a part: a plain ring with what is seen of it,
