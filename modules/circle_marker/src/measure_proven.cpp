@@ -39,13 +39,19 @@ constexpr double leastCorrelationMeasured = 0.9;
 // code was not read for certain: codes are compared at the pose that the likeliest has made of the image.
 constexpr double leastOdds = 14.;
 constexpr double leastOddsIfUncertain = 25.;
+// And where the noise is more than this share of the contrast: there a wrong pose, too, leaves no more than the noise,
+// and the odds are all that speaks for a code. In 80000 golay23 of 8 to 22 pixels in any light, half of which were
+// found, three that were read as others had odds of e^26 to e^32.
+constexpr double leastOddsInNoise = 33.;
+constexpr double muchNoise = 0.02;
 // Residuals of the best codeword, in units of what noise and model leave. Beyond the other odds, ln, they may be more:
 // of a track that is less than a pixel wide the model misses some hundredths of its contrast. And if the same code was
-// read sector by sector, more again: the phases that are tried are then the coarsest of what is seen.
+// read sector by sector, more again: the phases that are tried are then the coarsest of what is seen. (Right ones leave
+// up to 1.2; one that was read as another, near the edge of its sheet, left 2.9.)
 constexpr double mostUnexplained = 1.2;
 constexpr double clearOdds = 40.;
 constexpr double mostUnexplainedIfClear = 1.6;
-constexpr double mostUnexplainedIfRead = 3.;
+constexpr double mostUnexplainedIfRead = 2.;
 // At a wrong pose, too, one codeword is the best, by up to e^64; but it does not leave the image's noise alone. Of a
 // right one no more is left than this factor, and this share of the contrast for what the model lacks: the higher its
 // odds, ln, the more. (A golay23 of 9 pixels in a blur of 1.2 was read as another, with odds of e^35, where 1.4 times
@@ -119,7 +125,9 @@ bool isProven(const LikelyCode &code, const FittedPose &fit, double noise, bool 
   const double mostLeft = code.odds < clearOdds ? mostUnexplained
                           : isCertain           ? mostUnexplainedIfRead
                                                 : mostUnexplainedIfClear;
-  const bool isLikely = code.odds > (isCertain ? leastOdds : leastOddsIfUncertain) && code.unexplained < mostLeft;
+  const bool isNoisy = noise > muchNoise * fit.photometry.light * fit.photometry.contrast();
+  const double leastHere = isCertain ? leastOdds : isNoisy ? leastOddsInNoise : leastOddsIfUncertain;
+  const bool isLikely = code.odds > leastHere && code.unexplained < mostLeft;
   const bool isRightPose = isAtRightPose(fit, noise, code.odds, isCertain, pixels);
   const bool isFaint = code.odds > clearOdds && fit.noise < mostNoiseIfFaint * noise;
   const bool isAlike = fit.correlation > leastCorrelation || isFaint;
