@@ -70,7 +70,7 @@ TEST(TrackLines, AgreeWithIntegration)
           double black = cutLines(pointAt(scene, u, v), family.getLayout(), pieces);
           SectorVector shares = SectorVector::Zero();
           for (const TrackPiece &piece : pieces) {
-            addSectors(piece, 0., sectors, shares);
+            addSectors(piece, SectorBorders(sectors, 0.), shares);
           }
           for (int sector = 0; sector < sectors; ++sector) {
             // Sector 0 is the most significant bit.
@@ -107,8 +107,9 @@ TEST(TrackLines, SectorsAreTheWholeTrack)
     }
     for (const double start : {-7., -0.1, 0., 0.05, 2.}) {
       SectorVector shares = SectorVector::Zero();
+      const SectorBorders borders(static_cast<int>(family.getNbSectors()), start);
       for (const TrackPiece &piece : pieces) {
-        addSectors(piece, start, static_cast<int>(family.getNbSectors()), shares);
+        addSectors(piece, borders, shares);
       }
       EXPECT_NEAR(shares.sum(), whole, 1e-9);
       EXPECT_GE(shares.minCoeff(), -1e-12);

@@ -49,9 +49,8 @@ BlurredEdge insideOf(double radius, const PlanePoint &point)
 }
 
 // The side of a border between sectors toward larger angles.
-BlurredEdge beyondBorder(double angle, const PlanePoint &point)
+BlurredEdge beyondBorder(const Eigen::Vector2d &across, const PlanePoint &point)
 {
-  const Eigen::Vector2d across(-std::sin(angle), std::cos(angle));
   const Eigen::Vector2d gradient = point.byPixel.transpose() * across;
   const double length = gradient.norm();
   return {across.dot(point.q) / length, gradient / length};
@@ -64,10 +63,10 @@ double together(const BlurredEdge &a, const BlurredEdge &b)
   return a.density * b.density * rho * (1. + 0.5 * rho * a.distance * b.distance);
 }
 
-// Share of the pixel that lies in the track beyond a border.
-double beyond(double angle, const Rims &rims, const PlanePoint &point)
+// Share of the pixel that lies in the track beyond a border, whose normal is told.
+double beyond(const Eigen::Vector2d &across, const Rims &rims, const PlanePoint &point)
 {
-  const BlurredEdge border = beyondBorder(angle, point);
+  const BlurredEdge border = beyondBorder(across, point);
   return (rims.outer.share - rims.inner.share) * border.share + together(rims.outer, border) -
          together(rims.inner, border);
 }
@@ -87,31 +86,30 @@ struct SeenSectors
   int count = 0;
 
   // By the edges between them, each on its own.
-  void set(const CodePixel &pixel, const vpCircleMarkerLayout &layout, int sectors, double start)
+  void set(const CodePixel &pixel, const vpCircleMarkerLayout &layout, const SectorBorders &borders)
   {
     const PlanePoint &point = pixel.point;
-    const double pitch = fullTurn / sectors;
-    const int own = static_cast<int>(std::floor((std::atan2(point.q.y(), point.q.x()) - start) / pitch));
+    const int own = static_cast<int>(std::floor(borders.place(pixel.angle)));
     const double blur = point.byPixel.norm() / std::max(point.q.norm(), layout.codeInner); // rad, at most
-    const int wide = std::clamp(static_cast<int>(std::ceil(reach * blur / pitch)), 1, mostReach);
+    const int wide = std::clamp(static_cast<int>(std::ceil(borders.inSectors(reach * blur))), 1, mostReach);
     count = 2 * wide + 1;
-    double from = beyond(start + (own - wide) * pitch, pixel.rims, point);
+    double from = beyond(borders.across(own - wide), pixel.rims, point);
     for (int k = 0; k < count; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      const double to = beyond(start + (own - wide + k + 1) * pitch, pixel.rims, point);
-      numbers[i] = ((own - wide + k) % sectors + sectors) % sectors;
+      const double to = beyond(borders.across(own - wide + k + 1), pixel.rims, point);
+      numbers[i] = borders.sector(own - wide + k);
       weights[i] = from - to;
       from = to;
     }
   }
 
   // Along lines.
-  void set(const TrackPiece *pieces, std::size_t pieceCount, double start, int sectors)
+  void set(const TrackPiece *pieces, std::size_t pieceCount, const SectorBorders &borders)
   {
     SectorVector shares = SectorVector::Zero();
-    std::for_each_n(pieces, pieceCount, [&](const TrackPiece &piece) { addSectors(piece, start, sectors, shares); });
+    std::for_each_n(pieces, pieceCount, [&](const TrackPiece &piece) { addSectors(piece, borders, shares); });
     count = 0;
-    for (int sector = 0; sector < sectors; ++sector) {
+    for (int sector = 0; sector < borders.count(); ++sector) {
       if (shares[sector] > leastShare) {
         numbers[static_cast<std::size_t>(count)] = sector;
         weights[static_cast<std::size_t>(count++)] = shares[sector];
@@ -169,7 +167,8 @@ bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, cons
       if (isByLines && track.pieces.size() == begin) {
         continue; // sees nothing of the track
       }
-      track.pixels.push_back({point, rims, photometry.blackOf(grey / light) - ring, begin, track.pieces.size()});
+      track.pixels.push_back({point, rims, std::atan2(point.q.y(), point.q.x()),
+                              photometry.blackOf(grey / light) - ring, begin, track.pieces.size()});
       squaredContrast += contrast * contrast;
     }
   }
@@ -184,13 +183,14 @@ bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, cons
 Squares squaresOf(const CodeImage &track, const vpCircleMarkerLayout &layout, int sectors, double start)
 {
   Squares result;
+  const SectorBorders borders(sectors, start);
   SeenSectors seen;
   for (const CodePixel &pixel : track.pixels) {
     if (pixel.begin == pixel.end) {
-      seen.set(pixel, layout, sectors, start);
+      seen.set(pixel, layout, borders);
     }
     else {
-      seen.set(&track.pieces[pixel.begin], pixel.end - pixel.begin, start, sectors);
+      seen.set(&track.pieces[pixel.begin], pixel.end - pixel.begin, borders);
     }
     for (int i = 0; i < seen.count; ++i) {
       const auto a = static_cast<std::size_t>(i);

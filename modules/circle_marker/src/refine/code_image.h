@@ -63,6 +63,7 @@ struct CodePixel
 {
   PlanePoint point;
   Rims rims;
+  double angle;           // from the plane's x axis, rad
   double black;           // that is not explained by the ring: 0 for white, 1 for ink
   std::size_t begin, end; // of its pieces, where its edges are no simple ones
 };

@@ -20,7 +20,7 @@
 #include <algorithm>
 #include <array>
 
-#include "decode/cyclic_code.h"
+#include "refine/word_search.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -32,121 +32,23 @@ constexpr double sameSpin = 0.95;
 
 constexpr double fullTurn = 2. * M_PI;
 
-/*!
-  The quadratic form for whole words, by look-ups: what four sectors have to do with the next four, and, where pixels
-  see both sides of a marker, with all others.
-*/
-class WordCosts
-{
-public:
-  WordCosts(const Squares &squares, unsigned int sectors) : m_groups((sectors + 3) / 4)
-  {
-    for (unsigned int group = 0; group < m_groups; ++group) {
-      m_near[group] = tableOf(squares, sectors, group, (group + 1) % m_groups, true);
-      for (unsigned int other = group + 2; other < m_groups && other < group + m_groups - 1; ++other) {
-        const Table table = tableOf(squares, sectors, group, other, false);
-        if (table.back() > 0.f) { // of all eight black: there is no more
-          m_far[m_farCount++] = {4 * group, 4 * other, table};
-        }
-      }
-    }
-  }
-
-  // A cost that is greater than most is any that is greater: what sectors far apart have to do with each other adds to
-  // it, since a pixel sees no less than nothing of any.
-  float of(CyclicCode::Word word, float most) const
-  {
-    const CyclicCode::Word first = word & 15U;
-    float cost = 0.f;
-    for (unsigned int group = 0; group + 1 < m_groups; ++group) {
-      cost += m_near[group][(word >> (4 * group)) & 255U];
-    }
-    cost += m_near[m_groups - 1][(word >> (4 * (m_groups - 1))) | (first << 4)];
-    for (unsigned int k = 0; k < m_farCount && cost <= most; ++k) {
-      cost += m_far[k].costs[((word >> m_far[k].shift) & 15U) | (((word >> m_far[k].otherShift) & 15U) << 4)];
-    }
-    return cost;
-  }
-
-private:
-  static constexpr unsigned int mostGroups = (mostSectors + 3) / 4;
-  using Table = std::array<float, 256>;
-
-  struct Far
-  {
-    unsigned int shift, otherShift;
-    Table costs;
-  };
-
-  // Of one group's bits with another's; hasOwn: and of the former alone.
-  static Table tableOf(const Squares &squares, unsigned int sectors, unsigned int group, unsigned int other,
-                       bool hasOwn)
-  {
-    Table costs;
-    for (unsigned int value = 0; value < costs.size(); ++value) {
-      double cost = 0.;
-      for (unsigned int i = 0; i < 4; ++i) {
-        if (((value >> i) & 1U) == 0 || 4 * group + i >= sectors) {
-          continue;
-        }
-        const unsigned int a = sectors - 1 - 4 * group - i; // sector 0 is the most significant bit
-        if (hasOwn) {
-          cost += squares.matrix(a, a) - 2. * squares.right[a];
-        }
-        for (unsigned int j = hasOwn ? i + 1 : 4; j < 8; ++j) {
-          const unsigned int bit = j < 4 ? 4 * group + j : 4 * other + j - 4;
-          if (((value >> j) & 1U) != 0 && bit < sectors) {
-            cost += 2. * squares.matrix(a, sectors - 1 - bit);
-          }
-        }
-      }
-      costs[value] = static_cast<float>(cost);
-    }
-    return costs;
-  }
-
-  unsigned int m_groups;
-  unsigned int m_farCount = 0;
-  std::array<Table, mostGroups> m_near;
-  std::array<Far, mostGroups *(mostGroups - 3) / 2> m_far;
-};
-
 /*! A codeword at a phase. */
 struct Contender
 {
-  CyclicCode::Word word = 0;
-  double cost = HUGE_VAL;
   PlacedCode code;
+  double cost = HUGE_VAL;
 };
 
-// The two best codewords at a phase. A white track, the zero word, costs nothing but the squares; it may be the best.
+// The two best codewords at a phase. One of them may be a white track.
 std::array<Contender, 2> bestTwo(const Squares &squares, const CyclicCode &code, double start)
 {
-  const WordCosts costs(squares, code.getLength());
-  CyclicCode::Word best = 0, second = 0;
-  float bestCost = 0.f, secondCost = HUGE_VALF;
-  code.forEachCodeword([&](CyclicCode::Word word) {
-    const float cost = costs.of(word, secondCost);
-    if (cost < bestCost) {
-      second = best;
-      secondCost = bestCost;
-      best = word;
-      bestCost = cost;
-    }
-    else if (cost < secondCost) {
-      second = word;
-      secondCost = cost;
-    }
-  });
+  const auto words = bestTwoWords(squares, code);
   std::array<Contender, 2> two;
-  two[0].word = best;
-  two[0].cost = squares.squares + static_cast<double>(bestCost);
-  two[1].word = second;
-  two[1].cost = squares.squares + static_cast<double>(secondCost);
-  for (Contender &contender : two) {
-    if (const auto identity = code.identify(contender.word)) { // else constant: no marker's
-      contender.code.id = identity->id;
-      contender.code.spin = std::remainder(start + fullTurn * identity->rotation / code.getLength(), fullTurn);
+  for (std::size_t i = 0; i < two.size(); ++i) {
+    two[i].cost = words[i].squares;
+    if (const auto identity = code.identify(words[i].word)) { // else constant: no marker's
+      two[i].code.id = identity->id;
+      two[i].code.spin = std::remainder(start + fullTurn * identity->rotation / code.getLength(), fullTurn);
     }
   }
   return two;

@@ -159,21 +159,19 @@ double cutLines(const PlanePoint &point, const vpCircleMarkerLayout &layout, std
   return ring;
 }
 
-void addSectors(const TrackPiece &piece, double start, int sectors, SectorVector &shares)
+void addSectors(const TrackPiece &piece, const SectorBorders &borders, SectorVector &shares)
 {
-  const double pitch = fullTurn / sectors;
   const int sense = piece.turn < 0. ? -1 : 1;
-  const double first = (piece.angle - start) / pitch;
-  const double last = first + piece.turn / pitch;
+  const double first = borders.place(piece.angle);
+  const double last = first + borders.inSectors(piece.turn);
   int sector = static_cast<int>(std::floor(first));
   double before = piece.before;
   const auto add = [&](double until) {
-    shares[(sector % sectors + sectors) % sectors] += piece.weight * (until - before);
+    shares[borders.sector(sector)] += piece.weight * (until - before);
     before = until;
   };
   while (sense > 0 ? sector + 1 < last : sector > last) {
-    const double angle = start + pitch * (sense > 0 ? sector + 1 : sector);
-    const Eigen::Vector2d normal(-std::sin(angle), std::cos(angle));
+    const Eigen::Vector2d &normal = borders.across(sense > 0 ? sector + 1 : sector);
     const double crossing = -normal.dot(piece.from) / normal.dot(piece.along);
     add(std::clamp(cumulative(crossing), before, piece.after));
     sector += sense;

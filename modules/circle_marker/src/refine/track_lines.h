@@ -34,8 +34,8 @@
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 
-#include "decode/code_track.h"
 #include "refine/plane_point.h"
+#include "refine/sector_borders.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -71,11 +71,10 @@ double cutLines(const PlanePoint &point, const vpCircleMarkerLayout &layout, std
 /*!
   Adds the share of each sector.
   \param piece : What is seen of the track along a line.
-  \param start : Where the first sector begins, from the plane's x axis, rad.
-  \param sectors : Their number.
+  \param borders : Between the sectors.
   \param shares : Of the pixel.
 */
-void addSectors(const TrackPiece &piece, double start, int sectors, SectorVector &shares);
+void addSectors(const TrackPiece &piece, const SectorBorders &borders, SectorVector &shares);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
