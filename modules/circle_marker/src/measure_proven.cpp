@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 
+#include "decode/cyclic_code.h"
 #include "refine/code_likelihood.h"
 
 BEGIN_VISP_NAMESPACE
@@ -40,10 +41,12 @@ constexpr double leastCorrelationMeasured = 0.9;
 constexpr double leastOdds = 14.;
 constexpr double leastOddsIfUncertain = 25.;
 // And where the noise is more than this share of the contrast: there a wrong pose, too, leaves no more than the noise,
-// and the odds are all that speaks for a code. In 80000 golay23 of 8 to 22 pixels in any light, half of which were
-// found, three that were read as others had odds of e^26 to e^32.
+// and the odds are all that speaks for a code. That is so of codes with fewer check bits than this: of all words one in
+// 2^11 is of golay23, but one in 2^15 of bch31. In 150000 golay23 of 8 to 22 pixels in any light, half of which were
+// found, five that were read as others had odds of e^26 to e^32; in 36000 bch31 none was.
 constexpr double leastOddsInNoise = 33.;
-constexpr double muchNoise = 0.02;
+constexpr double muchNoise = 0.015;
+constexpr unsigned int fewChecks = 14;
 // Residuals of the best codeword, in units of what noise and model leave. Beyond the other odds, ln, they may be more:
 // of a track that is less than a pixel wide the model misses some hundredths of its contrast. And if the same code was
 // read sector by sector, more again: the phases that are tried are then the coarsest of what is seen. (Right ones leave
@@ -119,15 +122,23 @@ bool isAtRightPose(const FittedPose &fit, double noise, double odds, bool isCert
   return true;
 }
 
+// Odds that a code needs against the next one, ln.
+double leastOddsOf(const vpCircleMarkerFamily &family, const FittedPose &fit, double noise, bool isCertain)
+{
+  const CyclicCode &code = codeOf(family);
+  const bool isDense = code.getLength() - code.getDimension() < fewChecks;
+  const bool isNoisy = noise > muchNoise * fit.photometry.light * fit.photometry.contrast();
+  return isCertain ? leastOdds : isDense && isNoisy ? leastOddsInNoise : leastOddsIfUncertain;
+}
+
 // Whether a marker's likeliest code is beyond doubt, measured on so many pixels.
-bool isProven(const LikelyCode &code, const FittedPose &fit, double noise, bool isCertain, std::size_t pixels)
+bool isProven(const LikelyCode &code, const vpCircleMarkerFamily &family, const FittedPose &fit, double noise,
+              bool isCertain, std::size_t pixels)
 {
   const double mostLeft = code.odds < clearOdds ? mostUnexplained
                           : isCertain           ? mostUnexplainedIfRead
                                                 : mostUnexplainedIfClear;
-  const bool isNoisy = noise > muchNoise * fit.photometry.light * fit.photometry.contrast();
-  const double leastHere = isCertain ? leastOdds : isNoisy ? leastOddsInNoise : leastOddsIfUncertain;
-  const bool isLikely = code.odds > leastHere && code.unexplained < mostLeft;
+  const bool isLikely = code.odds > leastOddsOf(family, fit, noise, isCertain) && code.unexplained < mostLeft;
   const bool isRightPose = isAtRightPose(fit, noise, code.odds, isCertain, pixels);
   const bool isFaint = code.odds > clearOdds && fit.noise < mostNoiseIfFaint * noise;
   const bool isAlike = fit.correlation > leastCorrelation || isFaint;
@@ -210,7 +221,7 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
     const bool isSame =
         code->best.id == marker.code.id && std::abs(code->best.spin) < M_PI / marker.family.getNbSectors();
     if (isSame) {
-      if (!isProven(*code, measurement->first, noise, marker.isCertain, memory.pixels.size())) {
+      if (!isProven(*code, marker.family, measurement->first, noise, marker.isCertain, memory.pixels.size())) {
         return std::nullopt;
       }
       if (marker.isCertain || code->odds > clearOdds) {

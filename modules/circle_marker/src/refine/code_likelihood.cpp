@@ -21,6 +21,7 @@
 #include <array>
 
 #include "refine/word_search.h"
+#include "support/few.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -39,10 +40,10 @@ struct Contender
   double cost = HUGE_VAL;
 };
 
-// The two best codewords at a phase. One of them may be a white track.
-std::array<Contender, 2> bestTwo(const Squares &squares, const CyclicCode &code, double start)
+// The two best codewords at a phase that leave less than the limit. One of them may be a white track.
+std::array<Contender, 2> bestTwo(const Squares &squares, const CyclicCode &code, double start, double limit)
 {
-  const auto words = bestTwoWords(squares, code);
+  const auto words = bestTwoWords(squares, code, limit);
   std::array<Contender, 2> two;
   for (std::size_t i = 0; i < two.size(); ++i) {
     two[i].cost = words[i].squares;
@@ -53,6 +54,52 @@ std::array<Contender, 2> bestTwo(const Squares &squares, const CyclicCode &code,
   }
   return two;
 }
+
+// The codewords of all phases, as far as they come into question as the best or the next.
+class Contenders
+{
+public:
+  void add(const std::array<Contender, 2> &two)
+  {
+    m_all.push_back(two[0]);
+    m_all.push_back(two[1]);
+    m_best = std::min_element(m_all.begin(), m_all.end(), isBetter);
+  }
+
+  const Contender &best() const { return *m_best; }
+
+  // What leaves as much as the best with another number is neither the best nor the next.
+  double limit() const
+  {
+    return nextIf([this](const Contender &other) { return other.code.id != m_best->code.id; }).cost;
+  }
+
+  // The best but one; the same codeword turned by less than a sector is the same.
+  Contender next(double pitch) const
+  {
+    return nextIf([&](const Contender &other) {
+      const double apart = std::abs(std::remainder(other.code.spin - m_best->code.spin, fullTurn));
+      return other.code.id != m_best->code.id || apart >= sameSpin * pitch;
+    });
+  }
+
+private:
+  static bool isBetter(const Contender &p, const Contender &q) { return p.cost < q.cost; }
+
+  template <class Condition> Contender nextIf(const Condition &isOther) const
+  {
+    Contender next;
+    for (const Contender &contender : m_all) {
+      if (isOther(contender) && isBetter(contender, next)) {
+        next = contender;
+      }
+    }
+    return next;
+  }
+
+  Few<Contender, 2 * phases> m_all;
+  const Contender *m_best = nullptr;
+};
 } // namespace
 
 std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const CameraModel &camera,
@@ -66,28 +113,20 @@ std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const 
     return std::nullopt;
   }
   const double pitch = fullTurn / sectors;
-  std::array<Contender, 2 * phases> contenders;
+  Contenders contenders;
   for (int phase = 0; phase < phases; ++phase) {
-    if (deadline.hasPassed()) { // a phase of bch31 takes about a millisecond
+    if (deadline.hasPassed()) { // a phase of bch31 may take half a millisecond
       return std::nullopt;
     }
     const double start = pitch * phase / phases;
-    const auto two = bestTwo(squaresOf(track, layout, sectors, start), code, start);
-    std::copy(two.begin(), two.end(), contenders.begin() + 2 * phase);
+    const double limit = phase > 0 ? contenders.limit() : HUGE_VAL;
+    contenders.add(bestTwo(squaresOf(track, layout, sectors, start), code, start, limit));
   }
-  const Contender &best = *std::min_element(contenders.begin(), contenders.end(),
-                                            [](const auto &p, const auto &q) { return p.cost < q.cost; });
+  const Contender &best = contenders.best();
   if (best.code.id < 0) {
     return LikelyCode();
   }
-  Contender next;
-  for (const Contender &contender : contenders) {
-    const double apart = std::abs(std::remainder(contender.code.spin - best.code.spin, fullTurn));
-    const bool isSame = contender.code.id == best.code.id && apart < sameSpin * pitch;
-    if (!isSame && contender.cost < next.cost) {
-      next = contender;
-    }
-  }
+  const Contender next = contenders.next(pitch);
   const double variance = track.noise * track.noise;
   return LikelyCode{best.code, next.code, (next.cost - best.cost) / (2. * variance),
                     std::sqrt(std::max(best.cost, 0.) / (variance * static_cast<double>(track.pixels.size())))};

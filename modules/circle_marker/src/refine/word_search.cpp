@@ -112,12 +112,14 @@ public:
     return m_near[last()][word >> (groupBits * last()) | (word & groupMask) << groupBits];
   }
 
-  // The least that is still to be added where a group and those above it are fixed.
-  float leastRest(Word word, unsigned int group) const
+  // The least that the groups below one add where it and those above it are fixed.
+  float leastBelow(Word word, unsigned int group) const
   {
-    return m_leastBelow[group][word >> (groupBits * group) & groupMask] +
-           m_leastAround[word >> (groupBits * last()) & groupMask];
+    return m_leastBelow[group][word >> (groupBits * group) & groupMask];
   }
+
+  // The same of around().
+  float leastAround(Word word) const { return m_leastAround[word >> (groupBits * last()) & groupMask]; }
 
 private:
   struct Far
@@ -158,16 +160,22 @@ private:
 class WordSearch
 {
 public:
-  WordSearch(const GroupCosts &costs, const CyclicCode &code) : m_costs(costs), m_code(code)
+  // limit: what a word must cost less than.
+  WordSearch(const GroupCosts &costs, const CyclicCode &code, float limit) : m_costs(costs), m_limit(limit)
   {
-    const unsigned int bitsOfLast = code.getLength() - groupBits * costs.last();
-    descend(0, 0.f, costs.last(), bitsOfLast, code.getDimension());
+    listLevels(code);
+    add(0, 0.f); // the zero word costs nothing but the squares
+    descend(0, 0.f, costs.last(), 0);
   }
 
-  Word best() const { return m_best; }
-  Word second() const { return m_second; }
-  double bestCost() const { return static_cast<double>(m_bestCost); }
-  double secondCost() const { return static_cast<double>(m_secondCost); }
+  std::array<CostedWord, 2> result(double squares) const
+  {
+    std::array<CostedWord, 2> words;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      words[i] = {m_words[i], squares + static_cast<double>(m_wordCosts[i])};
+    }
+    return words;
+  }
 
 private:
   struct Branch
@@ -176,28 +184,55 @@ private:
     Word word;
   };
 
-  // Fixes a group by as many bits of the message, its highest that are left.
-  void descend(Word word, float cost, unsigned int group, unsigned int bits, unsigned int messageLeft)
+  // Some bits of the message: the words that they alone make, and whether they fix one group or all that are left.
+  struct Level
   {
-    if (messageLeft < bits) { // they fix all the rest
-      for (Word message = 0; message < Word(1) << messageLeft; ++message) {
-        finish(word ^ m_code.encode(message), cost, group);
+    unsigned int count = 0;
+    std::array<Word, groupValues> words;
+    bool fixesAll = false;
+  };
+
+  // From the highest group, which may have less bits, to that for which not enough bits of the message are left.
+  void listLevels(const CyclicCode &code)
+  {
+    unsigned int bits = code.getLength() - groupBits * m_costs.last();
+    unsigned int left = code.getDimension();
+    for (Level &level : m_levels) {
+      level.fixesAll = left < bits;
+      const unsigned int here = std::min(left, bits);
+      left -= here;
+      level.count = 1U << here;
+      for (Word message = 0; message < level.count; ++message) {
+        level.words[message] = code.encode(message << left);
       }
+      if (level.fixesAll) {
+        break;
+      }
+      bits = groupBits;
+    }
+  }
+
+  // Fixes a group, in each way that is not hopeless.
+  void descend(Word word, float cost, unsigned int group, unsigned int depth)
+  {
+    const Level &level = m_levels[depth];
+    if (level.fixesAll) {
+      std::for_each_n(level.words.begin(), level.count, [&](Word more) { finish(word ^ more, cost, group); });
       return;
     }
-    messageLeft -= bits;
     std::array<Branch, groupValues> branches;
-    const unsigned int count = 1U << bits;
-    for (Word message = 0; message < count; ++message) {
-      Branch &branch = branches[message];
-      branch.word = word ^ m_code.encode(message << messageLeft);
+    unsigned int count = 0;
+    for (unsigned int k = 0; k < level.count; ++k) {
+      Branch &branch = branches[count];
+      branch.word = word ^ level.words[k];
       branch.cost = cost + m_costs.ofGroup(branch.word, group);
-      branch.bound = branch.cost + m_costs.leastRest(branch.word, group);
+      branch.bound = branch.cost + m_costs.leastBelow(branch.word, group) + m_costs.leastAround(branch.word);
+      count += branch.bound < m_limit ? 1 : 0;
     }
     std::sort(branches.begin(), branches.begin() + count,
               [](const Branch &p, const Branch &q) { return p.bound < q.bound; });
-    for (unsigned int k = 0; k < count && branches[k].bound < m_secondCost; ++k) {
-      descend(branches[k].word, branches[k].cost, group - 1, groupBits, messageLeft);
+    for (unsigned int k = 0; k < count && branches[k].bound < m_limit; ++k) {
+      descend(branches[k].word, branches[k].cost, group - 1, depth + 1);
     }
   }
 
@@ -207,37 +242,42 @@ private:
     cost += m_costs.around(word);
     for (unsigned int k = group + 1; k-- > 0;) {
       cost += m_costs.ofGroup(word, k);
+      if (cost + m_costs.leastBelow(word, k) >= m_limit) {
+        return;
+      }
     }
-    if (word == 0) {
-      return; // it was the first
-    }
-    if (cost < m_bestCost) {
-      m_second = m_best;
-      m_secondCost = m_bestCost;
-      m_best = word;
-      m_bestCost = cost;
-    }
-    else if (cost < m_secondCost) {
-      m_second = word;
-      m_secondCost = cost;
+    if (word != 0) { // which was the first
+      add(word, cost);
     }
   }
 
+  void add(Word word, float cost)
+  {
+    if (!(cost < m_limit)) {
+      return;
+    }
+    const std::size_t place = cost < m_wordCosts[0] ? 0 : 1;
+    if (place == 0) {
+      m_words[1] = m_words[0];
+      m_wordCosts[1] = m_wordCosts[0];
+    }
+    m_words[place] = word;
+    m_wordCosts[place] = cost;
+    m_limit = std::min(m_limit, m_wordCosts[1]);
+  }
+
   const GroupCosts &m_costs;
-  const CyclicCode &m_code;
-  Word m_best = 0; // the zero word costs nothing but the squares
-  Word m_second = 0;
-  float m_bestCost = 0.f;
-  float m_secondCost = HUGE_VALF;
+  std::array<Level, mostGroups + 1> m_levels;
+  std::array<Word, 2> m_words{};
+  std::array<float, 2> m_wordCosts = {HUGE_VALF, HUGE_VALF};
+  float m_limit;
 };
 } // namespace
 
-std::array<CostedWord, 2> bestTwoWords(const Squares &squares, const CyclicCode &code)
+std::array<CostedWord, 2> bestTwoWords(const Squares &squares, const CyclicCode &code, double limit)
 {
   const GroupCosts costs(squares, code.getLength());
-  const WordSearch search(costs, code);
-  return {
-      {{search.best(), squares.squares + search.bestCost()}, {search.second(), squares.squares + search.secondCost()}}};
+  return WordSearch(costs, code, static_cast<float>(limit - squares.squares)).result(squares.squares);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

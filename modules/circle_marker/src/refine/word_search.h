@@ -19,6 +19,7 @@
 #define VP_CIRCLE_MARKER_WORD_SEARCH_H
 
 #include <array>
+#include <cmath>
 
 #include "decode/cyclic_code.h"
 #include "refine/code_image.h"
@@ -29,7 +30,7 @@ namespace circle_marker {
 struct CostedWord
 {
   CyclicCode::Word word = 0;
-  double squares = 0.;
+  double squares = HUGE_VAL; //!< This where there is no such word.
 };
 
 /*!
@@ -39,12 +40,14 @@ struct CostedWord
   The words are the leaves of a tree in which four sectors at a time are fixed, as the generator polynomial fixes a
   word's highest bits by the message's. A branch is left when what its fixed sectors cost, and the rest at least, is
   more than the second best word (A. Land, A. Doig, An automatic method of solving discrete programming problems,
-  Econometrica 28 (1960)). The least of the rest is that of all words of the same bits whose neighbouring groups of four
-  fit together, codewords or not. The same words come out as if all had been tried, up to ties. \param squares : Of the
-  track; no entry of its matrix is negative but for rounding: a pixel sees no less than nothing of a sector. \param code
-  : The code.
+  Econometrica 28 (1960)). The least of the rest is that of all words of the same bits whose neighbouring groups of
+  four fit together, codewords or not. The same words come out as if all had been tried, up to ties.
+
+  \param squares : Of the track; no entry of its matrix is negative but for rounding: a pixel sees no less than nothing.
+  \param code : The code.
+  \param limit : Squared residuals from which a word is of no interest; without two that leave less, some are missing.
 */
-std::array<CostedWord, 2> bestTwoWords(const Squares &squares, const CyclicCode &code);
+std::array<CostedWord, 2> bestTwoWords(const Squares &squares, const CyclicCode &code, double limit = HUGE_VAL);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
