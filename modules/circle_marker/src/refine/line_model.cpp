@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "refine/bend_limits.h"
 #include "refine/image_model.h"
 
 BEGIN_VISP_NAMESPACE
@@ -60,19 +61,12 @@ constexpr float farFromCrossing = 5.f;
 // Lines cross the borders that matter more steeply than this.
 constexpr float leastCosine = 0.2f;
 
-// Bend of an edge, curvature times blur / 2, from which parabolas leave an error that shows, for the ring, where it is
-// of the order of the bend's cube and the pose leans on it, and for the track, where it is of that of its square: up to
-// there the depth is biased by less than a fifth of its standard deviation.
-constexpr float strongBendOfRing = 0.09f;
-constexpr float strongBendOfTrack = 0.13f;
-// A parabola is one side of a circle. The other side is seen from this many standard deviations: 0.1 % of an edge lie
-// beyond.
-constexpr float seenAcross = 3.f;
-// Where borders between sectors are closer to each other than this many standard deviations, more of them are seen than
-// the five of a block.
-constexpr float leastSpacing = 1.6f;
-// Around the ends of so narrow an ellipse, semi-minor axis in standard deviations, bends change within the blur.
-constexpr float leastSemiMinor = 4.f;
+// In the precision of the lanes.
+constexpr auto strongBendOfRing = static_cast<float>(bend_limits::strongOfRing);
+constexpr auto strongBendOfTrack = static_cast<float>(bend_limits::strongOfTrack);
+constexpr auto seenAcross = static_cast<float>(bend_limits::seenAcross);
+constexpr auto leastSpacing = static_cast<float>(bend_limits::leastSpacing);
+constexpr auto leastSemiMinor = static_cast<float>(bend_limits::leastSemiMinor);
 // Where a circle of the ring bends by more than this, lines that cross it see less than half of the blur inside of it.
 constexpr float sharpBend = 0.25f;
 } // namespace

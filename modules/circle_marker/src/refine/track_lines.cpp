@@ -23,6 +23,7 @@
 
 #include <Eigen/Geometry>
 
+#include "refine/bend_limits.h"
 #include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
@@ -39,13 +40,6 @@ constexpr double step = 0.6;
 constexpr double end = 4.5;
 // Of a line, less is not worth a look.
 constexpr double leastShare = 1e-5;
-
-// As of the model that poses are fitted with (line_model.cpp): the bend, curvature times blur / 2, from which parabolas
-// leave an error that shows; standard deviations to the other side of a circle; between borders; of a semi-minor axis.
-constexpr double strongBend = 0.13;
-constexpr double seenAcross = 3.;
-constexpr double leastSpacing = 1.6;
-constexpr double leastSemiMinor = 4.;
 
 // Where a line crosses a circle.
 struct Chord
@@ -118,7 +112,7 @@ struct Slopes
 
 bool wantsLines(const PlanePoint &point, const vpCircleMarkerLayout &layout, int sectors)
 {
-  if (point.byPixel.norm() * leastSemiMinor > 1.) {
+  if (point.byPixel.norm() * bend_limits::leastSemiMinor > 1.) {
     return true;
   }
   const Slopes slopes(point);
@@ -126,8 +120,9 @@ bool wantsLines(const PlanePoint &point, const vpCircleMarkerLayout &layout, int
   const double g = slopes.outward.norm();
   // What changes the place on the circle without a change of the radius.
   const double h = (slopes.along.x() * slopes.outward.y() - slopes.along.y() * slopes.outward.x()) / g;
-  return 0.5 * h * h / g > strongBend * layout.codeInner || r + layout.codeInner < seenAcross * g ||
-         fullTurn / sectors * r < leastSpacing * slopes.along.norm();
+  return 0.5 * h * h / g > bend_limits::strongOfTrack * layout.codeInner ||
+         r + layout.codeInner < bend_limits::seenAcross * g ||
+         fullTurn / sectors * r < bend_limits::leastSpacing * slopes.along.norm();
 }
 
 double cutLines(const PlanePoint &point, const vpCircleMarkerLayout &layout, std::vector<TrackPiece> &pieces)
