@@ -66,3 +66,30 @@ TEST(DetectorWrongIds, SmallMarkersInAnyLight)
     EXPECT_GE(outcome.right, 12u) << seed;
   }
 }
+
+// The smallest markers that are read, tilted by up to 80 degrees: half of them are found. Each frame had a wrong one:
+// in noise, with odds of e^26 to e^32 at a wrong pose, or read sector by sector, where the codeword left three times
+// what noise and model do.
+TEST(DetectorWrongIds, MarkersOfFewPixelsInAnyLight)
+{
+  struct Frame
+  {
+    std::uint64_t seed;
+    double greatestDiameter; // pixels
+    unsigned int leastRight; // of 150
+  };
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);
+  for (const Frame &frame : {Frame{16016, 24., 60}, Frame{21007, 20., 60}, Frame{46022, 22., 60}, Frame{47012, 22., 35},
+                             Frame{49021, 22., 40}, Frame{57011, 22., 45}}) {
+    bench::SceneOptions options;
+    options.markers = 150;
+    options.leastDiameter = 8.;
+    options.greatestDiameter = frame.greatestDiameter;
+    options.mostTilt = 80. * M_PI / 180.;
+    options.anyLight = true;
+    options.seed = frame.seed;
+    const Outcome outcome = outcomeOf(bench::makeScene(options), detector);
+    EXPECT_EQ(outcome.wrong, 0u) << frame.seed;
+    EXPECT_GE(outcome.right, frame.leastRight) << frame.seed;
+  }
+}

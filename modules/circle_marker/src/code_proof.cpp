@@ -26,9 +26,10 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Least odds against the next codeword, ln: one in 10^6 is wrong, if the pose is right. Which it need not be where the
-// code was not read for certain: codes are compared at the pose that the likeliest has made of the image.
-constexpr double leastOdds = 14.;
+// Least odds against the next codeword, ln: one in 10^8 is wrong, if the pose is right. Right ones that were read for
+// certain have e^29 and more. The pose need not be right where the code was not read for certain: codes are compared at
+// the pose that the likeliest has made of the image.
+constexpr double leastOdds = 20.;
 constexpr double leastOddsIfUncertain = 25.;
 // And where the noise is more than this share of the contrast: there a wrong pose, too, leaves no more than the noise,
 // and the odds are all that speaks for a code. That is so of codes with fewer check bits than this: of all words one in

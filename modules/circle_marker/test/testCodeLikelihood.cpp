@@ -149,6 +149,24 @@ TEST(CodeLikelihood, OddsFallWithTheNoise)
   }
 }
 
+// Paper that is a little brighter than the sensor can tell is taken for as bright as it is.
+TEST(CodeLikelihood, ALittleOverExposureHidesNothing)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  for (int i = 0; i < 20; ++i) {
+    const int id = static_cast<int>(random() % family.getNbIds());
+    MarkerScene scene = markerScene(random, family, id, uniform(random, 14., 25.), 0.3, side);
+    scene.white = uniform(random, 256., 270.);
+    scene.black = 60.;
+    const auto code = read(imageOf(scene, random), scene, 0.);
+    ASSERT_TRUE(code);
+    EXPECT_EQ(code->best.id, id) << "paper " << scene.white;
+    EXPECT_GT(code->odds, 15.) << "paper " << scene.white;
+    EXPECT_LT(code->unexplained, 1.2) << "paper " << scene.white;
+  }
+}
+
 TEST(CodeLikelihood, NoneWhereTheModelDoesNotHold)
 {
   Random random = randomOfTest();

@@ -49,8 +49,8 @@ bool proves(double odds, const FittedPose &fit, double noise, bool isCertain, do
 TEST(CodeProof, MoreOddsAreAskedOfWhatWasNotReadForCertain)
 {
   const FittedPose fit = fitThatLeaves(2.);
-  EXPECT_FALSE(proves(13.9, fit, 2., true));
-  EXPECT_TRUE(proves(14.1, fit, 2., true));
+  EXPECT_FALSE(proves(19.9, fit, 2., true));
+  EXPECT_TRUE(proves(20.1, fit, 2., true));
   EXPECT_FALSE(proves(24.9, fit, 2., false));
   EXPECT_TRUE(proves(25.1, fit, 2., false));
 }

@@ -34,8 +34,10 @@ constexpr double around = 1.5;
 constexpr double modelError = 0.04;
 // Less of a sector is not worth its products.
 constexpr double leastShare = 1e-3;
-// Where paper is brighter than this, grey levels, a pixel that is as well cannot be told from brighter.
+// Where paper is brighter than this, grey levels, a pixel that is as well cannot be told from brighter. It is taken for
+// white if by that it is wrong by no more than this share of the contrast.
 constexpr double brightest = 254.;
+constexpr double mostHidden = 0.1;
 
 constexpr double fullTurn = 2. * M_PI;
 
@@ -158,10 +160,12 @@ bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, cons
       const Eigen::Vector2d offset = (p - frame.center) / frame.size;
       const double light = photometry.whiteAt(offset);
       const double contrast = light * photometry.contrast();
-      const double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
-      if ((light > brightest && grey > brightest) || contrast <= 0.) {
+      double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
+      const bool isHidden = light > brightest && grey > brightest;
+      if (contrast <= 0. || (isHidden && light - brightest > mostHidden * contrast)) {
         return false;
       }
+      grey = isHidden ? light : grey;
       const std::size_t begin = track.pieces.size();
       const double ring = isByLines ? cutLines(point, layout, track.pieces) : ringAt(layout, point);
       if (isByLines && track.pieces.size() == begin) {

@@ -67,7 +67,7 @@ struct LikelyCode
   \param track : Working memory.
   \param deadline : When to stop: there is no result then.
   \return Nothing where the model does not hold: under the edge of a shadow, where the sensor cannot tell how bright the
-  paper is, at the image's border.
+  paper is by more than a tenth of the contrast, at the image's border.
 */
 std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const CameraModel &camera,
                                          const FittedPose &fit, const ImageFrame &frame,
