@@ -79,8 +79,8 @@ TEST(DetectorWrongIds, MarkersOfFewPixelsInAnyLight)
     unsigned int leastRight; // of 150
   };
   vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);
-  for (const Frame &frame : {Frame{16016, 24., 60}, Frame{21007, 20., 60}, Frame{46022, 22., 60}, Frame{47012, 22., 35},
-                             Frame{49021, 22., 40}, Frame{57011, 22., 45}}) {
+  for (const Frame &frame : {Frame{16016, 24., 50}, Frame{21007, 20., 50}, Frame{46022, 22., 50}, Frame{47012, 22., 30},
+                             Frame{49021, 22., 35}, Frame{57011, 22., 40}}) {
     bench::SceneOptions options;
     options.markers = 150;
     options.leastDiameter = 8.;

@@ -29,12 +29,15 @@
 #include <string>
 #include <vector>
 
+#include <visp3/core/vpTime.h>
+
 #include "../common/program.h"
 #include "../common/servo/live_view.h"
 #include "../common/servo/servo_loop.h"
 #include "../common/servo/servo_progress.h"
 #include "../common/servo/servo_report.h"
 #include "../common/servo/servo_scene.h"
+#include "../common/servo/servo_task.h"
 #include "../common/visp_names.h"
 #include "../common/whole_file.h"
 #include "command_line.h"
@@ -96,8 +99,14 @@ ServoRecord runWithDisplay(const ServoProblem &problem)
                      "); going on without, --display-off does so silently");
     return runWithoutDisplay(problem);
   }
-  const ServoRecord record = runSimulated(
-      problem, [&view](const vpImage<unsigned char> &I, const ServoStep &step) { return view->show(I, step); });
+  // Who watches sees the camera move as it does: no faster than the robot's time, whatever the processor.
+  double shown = vpTime::measureTimeMs();
+  const ServoRecord record = runSimulated(problem, [&](const vpImage<unsigned char> &I, const ServoStep &step) {
+    const ServoWish wish = view->show(I, step);
+    vpTime::wait(shown, 1e3 * samplingTime);
+    shown = vpTime::measureTimeMs();
+    return wish;
+  });
   const bool quitByClick = !record.converged && record.reason.find("click") != std::string::npos;
   if (!quitByClick) {
     view->showEnd(record);

@@ -73,6 +73,11 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
   A marker whose code could not be read for certain: with the codeword that agrees best, which has to be proven once it
   is measured. Nothing if the inside has no asymmetry as a code's, the track is not made of sectors, or no dark ring
   shows all around an outline that was not found by its dark line.
+  \param I : The image.
+  \param camera : Its camera.
+  \param poses : Both poses of the outline.
+  \param outline : The outline.
+  \param family : The family.
   \param noise : Standard deviation of the image's noise, grey levels.
 */
 std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
