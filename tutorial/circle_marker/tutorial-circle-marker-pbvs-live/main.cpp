@@ -85,7 +85,7 @@ void openSimulatedCamera(const Order &order, vpRobot &robot, Vision &vision)
   vision.camera = servoCamera(order.cameraFile, order.cameraName);
   constexpr std::uint64_t seed = 1; // of the noise
   vision.eyes = std::make_unique<SimulatedEyes>(vision.camera, simulatedObject(order), *standIn,
-                                                desiredPose(order.distance), seed);
+                                                desiredPose(order.distance), seed, order.display);
 }
 
 void openRealCamera(const Order &order, vpRobot &robot, Vision &vision)

@@ -29,15 +29,12 @@
 #include <string>
 #include <vector>
 
-#include <visp3/core/vpTime.h>
-
 #include "../common/program.h"
 #include "../common/servo/live_view.h"
 #include "../common/servo/servo_loop.h"
 #include "../common/servo/servo_progress.h"
 #include "../common/servo/servo_report.h"
 #include "../common/servo/servo_scene.h"
-#include "../common/servo/servo_task.h"
 #include "../common/visp_names.h"
 #include "../common/whole_file.h"
 #include "command_line.h"
@@ -70,19 +67,19 @@ ServoProblem makeProblem(const Order &order, unsigned int run)
   return problem;
 }
 
-ServoRecord runSimulated(const ServoProblem &problem, const Observer &observer)
+ServoRecord runSimulated(const ServoProblem &problem, bool isRealTime, const Observer &observer)
 {
   const ServoGoal &goal = problem.goal;
   vpSimulatorCamera robot;
   prepareRobot(robot, problem.start);
-  SimulatedEyes eyes(goal.camera, goal.object, robot, goal.cdMo, problem.seed);
+  SimulatedEyes eyes(goal.camera, goal.object, robot, goal.cdMo, problem.seed, isRealTime);
   return runServo(eyes, robot, goal, observer);
 }
 
 ServoRecord runWithoutDisplay(const ServoProblem &problem)
 {
   ServoProgress progress(problem.goal);
-  return runSimulated(problem, [&progress](const vpImage<unsigned char> &, const ServoStep &step) {
+  return runSimulated(problem, false, [&progress](const vpImage<unsigned char> &, const ServoStep &step) {
     progress.show(step);
     return ServoWish::Go;
   });
@@ -99,14 +96,8 @@ ServoRecord runWithDisplay(const ServoProblem &problem)
                      "); going on without, --display-off does so silently");
     return runWithoutDisplay(problem);
   }
-  // Who watches sees the camera move as it does: no faster than the robot's time, whatever the processor.
-  double shown = vpTime::measureTimeMs();
-  const ServoRecord record = runSimulated(problem, [&](const vpImage<unsigned char> &I, const ServoStep &step) {
-    const ServoWish wish = view->show(I, step);
-    vpTime::wait(shown, 1e3 * samplingTime);
-    shown = vpTime::measureTimeMs();
-    return wish;
-  });
+  const ServoRecord record = runSimulated(
+      problem, true, [&view](const vpImage<unsigned char> &I, const ServoStep &step) { return view->show(I, step); });
   const bool quitByClick = !record.converged && record.reason.find("click") != std::string::npos;
   if (!quitByClick) {
     view->showEnd(record);

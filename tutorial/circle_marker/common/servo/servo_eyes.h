@@ -65,9 +65,11 @@ public:
     \param robot : Carries the camera; must live as long as this.
     \param cdMo : The desired pose, the end of the way.
     \param seed : Of the noise.
+    \param isRealTime : Whether images come no faster than the robot's sampling time, for those who watch, or as fast as
+    they are asked for.
   */
   SimulatedEyes(const ServoCamera &camera, const ServoObject &object, const vpSimulatorCamera &robot,
-                const vpHomogeneousMatrix &cdMo, std::uint64_t seed);
+                const vpHomogeneousMatrix &cdMo, std::uint64_t seed, bool isRealTime);
 
   std::optional<ServoView> look(const std::function<void()> &stop) override;
 
@@ -77,8 +79,10 @@ private:
   const vpSimulatorCamera &m_robot; //!< Carries it.
   vpHomogeneousMatrix m_cdMo;       //!< The desired pose.
   std::uint64_t m_seed;             //!< Of the noise.
+  bool m_isRealTime;                //!< Whether images come at their time.
   double m_wholeWay;                //!< Length of the way from the start.
   unsigned int m_images = 0;        //!< Images so far.
+  double m_last = 0.;               //!< When the last one came, ms.
 };
 
 /*! Makes a simulated robot fit for a servo, and puts the camera at a pose. */

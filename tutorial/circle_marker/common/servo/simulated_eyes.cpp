@@ -17,6 +17,8 @@
 
 #include "servo_eyes.h"
 
+#include <visp3/core/vpTime.h>
+
 #include "servo_task.h"
 
 namespace tutorial {
@@ -59,14 +61,18 @@ void prepareRobot(vpSimulatorCamera &robot, const vpHomogeneousMatrix &cMo)
 }
 
 SimulatedEyes::SimulatedEyes(const ServoCamera &camera, const ServoObject &object, const vpSimulatorCamera &robot,
-                             const vpHomogeneousMatrix &cdMo, std::uint64_t seed)
-    : m_camera(camera), m_object(object), m_robot(robot), m_cdMo(cdMo), m_seed(seed),
+                             const vpHomogeneousMatrix &cdMo, std::uint64_t seed, bool isRealTime)
+    : m_camera(camera), m_object(object), m_robot(robot), m_cdMo(cdMo), m_seed(seed), m_isRealTime(isRealTime),
       m_wholeWay(remainingWay(cdMo, robot.getPosition().inverse()))
 {
 }
 
 std::optional<ServoView> SimulatedEyes::look(const std::function<void()> &)
 {
+  if (m_isRealTime && m_images > 0) {
+    vpTime::wait(m_last, 1e3 * samplingTime);
+  }
+  m_last = vpTime::measureTimeMs();
   const vpHomogeneousMatrix truth = m_robot.getPosition().inverse();
   ServoView view;
   view.time = m_images * samplingTime;
