@@ -42,7 +42,7 @@ constexpr unsigned int fewChecks = 14;
 // Residuals of the best codeword, in units of what noise and model leave. Beyond the other odds, ln, they may be more:
 // of a track that is less than a pixel wide the model misses some hundredths of its contrast. And if the same code was
 // read sector by sector, more again: the phases that are tried are then the coarsest of what is seen. (Right ones leave
-// up to 1.2; one that was read as another, near the edge of its sheet, left 2.9.)
+// up to 1.2; one of a ring found by its dark line that was read as another left 2.9.)
 constexpr double mostUnexplained = 1.2;
 constexpr double mostUnexplainedIfClear = 1.6;
 constexpr double mostUnexplainedIfRead = 2.;
