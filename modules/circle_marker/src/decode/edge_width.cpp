@@ -51,7 +51,7 @@ constexpr double mostUnevenCenter = 0.3;
 constexpr double mostBeyond = 0.4;
 constexpr double leastOfTrack = 0.2;
 // A lens out of focus and a steady motion blur the same to either side: what they make of a ring is the same in
-// opposite directions. Radii at which it is compared, where no code is seen, and what it differs, root mean square, in
+// opposite directions. Radii at which it is compared, where little is seen of a code, and what it differs, rms, in
 // units of the step at most: those of blurred markers of all families differ by up to 0.22, what is no marker mostly by
 // 0.4 and more.
 constexpr std::array<double, 3> symmetricRadii = {0.8, 0.88, 0.96};
