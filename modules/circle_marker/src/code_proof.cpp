@@ -33,7 +33,7 @@ constexpr double leastOdds = 20.;
 constexpr double leastOddsIfUncertain = 25.;
 // And where the noise is more than this share of the contrast: there a wrong pose, too, leaves no more than the noise,
 // and the odds are all that speaks for a code. That is so of codes with fewer check bits than this: of all words one in
-// 2^11 is of golay23, but one in 2^15 of bch31. Of 78000 golay23 of 8 to 22 pixels that were found in any light five
+// 2^11 is of golay23, but one in 2^15 of bch31. Of 78000 golay23 of 8 to 22 pixels that were found in any light four
 // were read as others with odds of e^26 to e^32, of 40000 bch31 none. Some are left: of 78000 other golay23 that were
 // found with these limits four, with odds of e^42 to e^64.
 constexpr double leastOddsInNoise = 33.;

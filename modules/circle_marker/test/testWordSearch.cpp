@@ -122,3 +122,19 @@ TEST(WordSearch, AWhiteTrackIsTheZeroWordAndABlackOneAllOnes)
   EXPECT_EQ(bestTwoWords(black, code)[0].word, (1U << 23) - 1);
   expectSame(black, code, "black");
 }
+
+// Below the limit nothing is missed, beyond it nothing comes out.
+TEST(WordSearch, WhatLeavesAsMuchAsTheLimitIsLeftOut)
+{
+  Random random = randomOfTest();
+  const CyclicCode &code = codeOf(vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23));
+  const Squares squares = trackOf(random, code.getRepresentatives()[7], 23, 0.5, 0.3);
+  const auto all = bestTwoWords(squares, code);
+  const auto both = bestTwoWords(squares, code, 1.01 * all[1].squares);
+  EXPECT_EQ(both[0].word, all[0].word);
+  EXPECT_EQ(both[1].word, all[1].word);
+  const auto one = bestTwoWords(squares, code, 0.5 * (all[0].squares + all[1].squares));
+  EXPECT_EQ(one[0].word, all[0].word);
+  EXPECT_EQ(one[1].squares, HUGE_VAL);
+  EXPECT_EQ(bestTwoWords(squares, code, 0.5 * all[0].squares)[0].squares, HUGE_VAL);
+}

@@ -23,13 +23,13 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  From where on what a pixel sees is summed up along lines: by the model that poses are fitted with (line_model.h) and by
-  the likelihood of codewords (track_lines.h). Lengths in standard deviations of the blur.
+  From where on what a pixel sees is summed up along lines: by the model that poses are fitted with (line_model.h) and
+  by the likelihood of codewords (track_lines.h). Lengths in standard deviations of the blur.
 */
 namespace bend_limits {
 /*!
-  Bend of an edge, curvature times blur / 2, from which parabolas leave an error that shows, for the ring, where it is of
-  the order of the bend's cube and the pose leans on it, and for the track, where it is of that of its square: up to
+  Bend of an edge, curvature times blur / 2, from which parabolas leave an error that shows, for the ring, where it is
+  of the order of the bend's cube and the pose leans on it, and for the track, where it is of that of its square: up to
   there the depth is biased by less than a fifth of its standard deviation.
 */
 constexpr double strongOfRing = 0.09;
