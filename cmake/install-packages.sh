@@ -30,7 +30,7 @@ for use in "$@"; do
                       libcli11-dev nlohmann-json3-dev gnuplot-nox libbenchmark-dev) ;;
     # GoogleTest; poppler and librsvg read printed sheets back; photographs; a display without a screen; what CPack
     # needs for a Debian package, and help2man for its manual pages.
-    test) packages+=(libgtest-dev poppler-utils librsvg2-bin visp-images-data xvfb xauth xdotool dpkg-dev file
+    test) packages+=(libgtest-dev poppler-utils librsvg2-bin visp-images-data xvfb xdotool dpkg-dev file
                      help2man) ;;
     # To unpack and build ViSP's own source and documentation.
     in-tree) packages+=(dpkg-dev ca-certificates ccache doxygen texlive-binaries texlive-base) ;;

@@ -78,14 +78,8 @@ test::Outcome calibrate(const fs::path &folder, const Json &poses, const std::ve
   bus["poses"] = poses;
   const fs::path sheet = folder.string() + ".sheet.jsonl";
   test::writeLines(sheet, bus["sheet"]);
-  std::vector<std::string> before = {XVFB_RUN,
-                                     "-a",
-                                     "-s",
-                                     "-screen 0 1400x1050x24 -fbdir " + folder.string(),
-                                     "bash",
-                                     WINDOW_SCRIPT,
-                                     folder.string(),
-                                     "Camera calibration"};
+  std::vector<std::string> before = {IN_X_SERVER,   folder.string(), "bash",
+                                     WINDOW_SCRIPT, folder.string(), "Camera calibration"};
   before.insert(before.end(), actions.begin(), actions.end());
   before.push_back("--");
   std::vector<std::string> arguments = {"--target",   "markers",      "--sheet",       sheet.string(), "--source",

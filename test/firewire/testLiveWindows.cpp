@@ -37,9 +37,7 @@ test::Outcome act(const fs::path &folder, const std::string &title, const std::v
   bus["real_time"] = true;
   // One pose: what differs between two screens is what the keys have changed.
   bus["poses"] = {test::pathOfPoses(12)[1]};
-  std::vector<std::string> before = {
-      XVFB_RUN,        "-a", "-s", "-screen 0 1400x1050x24 -fbdir " + folder.string(), "bash", WINDOW_SCRIPT,
-      folder.string(), title};
+  std::vector<std::string> before = {IN_X_SERVER, folder.string(), "bash", WINDOW_SCRIPT, folder.string(), title};
   before.insert(before.end(), actions.begin(), actions.end());
   before.push_back("--");
   return test::runOnBus(program, arguments, folder, bus, before);

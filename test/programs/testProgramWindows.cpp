@@ -34,13 +34,11 @@ const std::string data = CIRCLE_MARKER_DATA_DIR;
 test::Outcome runWithClicks(const fs::path &folder, const std::string &title, const std::vector<std::string> &buttons,
                             const std::vector<std::string> &command)
 {
-  std::vector<std::string> arguments = {
-      "-a",  "-s", "-screen 0 1400x1050x24 -fbdir " + folder.string(), "bash", WINDOW_SCRIPT, folder.string(),
-      title, "2"};
+  std::vector<std::string> arguments = {folder.string(), "bash", WINDOW_SCRIPT, folder.string(), title, "2"};
   arguments.insert(arguments.end(), buttons.begin(), buttons.end());
   arguments.push_back("--");
   arguments.insert(arguments.end(), command.begin(), command.end());
-  return test::run(XVFB_RUN, arguments, folder);
+  return test::run(IN_X_SERVER, arguments, folder);
 }
 } // namespace
 

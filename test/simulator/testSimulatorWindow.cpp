@@ -34,18 +34,13 @@ using Json = nlohmann::json;
 namespace {
 std::vector<Json> act(const fs::path &folder, const std::vector<std::string> &actions)
 {
-  std::vector<std::string> arguments = {"-a",
-                                        "-s",
-                                        "-screen 0 1400x1050x24 -fbdir " + folder.string(),
-                                        "bash",
-                                        WINDOW_SCRIPT,
-                                        folder.string(),
+  std::vector<std::string> arguments = {folder.string(), "bash", WINDOW_SCRIPT, folder.string(),
                                         "Circular markers, simulator"};
   arguments.insert(arguments.end(), actions.begin(), actions.end());
   for (const char *word : {"--", SIMULATOR_PROGRAM, "--json", "out.jsonl", "--distance", "0.6"}) {
     arguments.push_back(word);
   }
-  const test::Outcome outcome = test::run(XVFB_RUN, arguments, folder);
+  const test::Outcome outcome = test::run(IN_X_SERVER, arguments, folder);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
   std::vector<Json> lines;
   std::istringstream in(test::contentOf(folder / "out.jsonl"));
