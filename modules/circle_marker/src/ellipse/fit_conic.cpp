@@ -17,6 +17,8 @@
 
 #include "ellipse/fit_conic.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -29,6 +31,18 @@ namespace {
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
+//! Points that are treated together: compilers make vector instructions of it.
+constexpr int laneCount = 4;
+using Lanes = Eigen::Array<double, laneCount, 1>;
+
+//! Some points, each with its share of all weights; where there are no more, the last one again, without any.
+struct PointLanes
+{
+  Lanes x;
+  Lanes y;
+  Lanes weight;
+};
+
 /*! The points as given, and the affine map u = W (x - mean) that makes their scatter the unit matrix. */
 struct WhitenedPoints
 {
@@ -40,7 +54,24 @@ struct WhitenedPoints
   Eigen::Matrix2d W;
 
   double weight(std::size_t i) const { return weights ? weights[i] * scale : scale; }
-  Eigen::Vector2d at(std::size_t i) const { return W * (points[i] - mean); }
+
+  //! Calls use(lanes) for all points, whitened.
+  template <class Use> void forEach(const Use &use) const
+  {
+    PointLanes lanes;
+    for (std::size_t first = 0; first < size; first += laneCount) {
+      for (int k = 0; k < laneCount; ++k) {
+        const std::size_t i = std::min(first + static_cast<std::size_t>(k), size - 1);
+        lanes.x[k] = points[i].x() - mean.x();
+        lanes.y[k] = points[i].y() - mean.y();
+        lanes.weight[k] = first + static_cast<std::size_t>(k) < size ? weight(i) : 0.;
+      }
+      const Lanes x = lanes.x;
+      lanes.x = W(0, 0) * x + W(0, 1) * lanes.y;
+      lanes.y = W(1, 0) * x + W(1, 1) * lanes.y;
+      use(lanes);
+    }
+  }
 };
 
 std::optional<WhitenedPoints> whiten(const Eigen::Vector2d *points, std::size_t size, const double *weights)
@@ -84,12 +115,37 @@ std::optional<WhitenedPoints> whiten(const Eigen::Vector2d *points, std::size_t 
   return whitened;
 }
 
-//! The monomials of a conic's coefficients.
-Vector6d monomials(const Eigen::Vector2d &u)
+//! Sums of products of the monomials of a conic's coefficients, u^2, u v, v^2, u, v and 1: they are moments.
+Matrix6d scatterOf(const WhitenedPoints &points)
 {
-  Vector6d m;
-  m << u.x() * u.x(), u.x() * u.y(), u.y() * u.y(), u.x(), u.y(), 1.;
-  return m;
+  // By the powers of u and v: the exponents of each monomial add up.
+  constexpr int order = 4;
+  std::array<std::array<Lanes, order + 1>, order + 1> moments;
+  for (auto &byU : moments) {
+    for (Lanes &moment : byU) {
+      moment.setZero();
+    }
+  }
+  points.forEach([&](const PointLanes &p) {
+    Lanes powerOfU = p.weight;
+    for (std::size_t i = 0; i <= order; ++i) {
+      Lanes power = powerOfU;
+      for (std::size_t j = 0; j <= order - i; ++j) {
+        moments[i][j] += power;
+        power *= p.y;
+      }
+      powerOfU *= p.x;
+    }
+  });
+  constexpr std::size_t ofU[6] = {2, 1, 0, 1, 0, 0};
+  constexpr std::size_t ofV[6] = {0, 1, 2, 0, 1, 0};
+  Matrix6d scatter;
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) {
+      scatter(i, j) = moments[ofU[i] + ofU[j]][ofV[i] + ofV[j]].sum();
+    }
+  }
+  return scatter;
 }
 
 //! Positive for an ellipse.
@@ -107,13 +163,7 @@ double discriminant(const Vector6d &conic)
 */
 std::optional<Vector6d> fitDirectly(const WhitenedPoints &points)
 {
-  Matrix6d scatter = Matrix6d::Zero();
-  for (std::size_t i = 0; i < points.size; i++) {
-    const Vector6d m = monomials(points.at(i));
-    // The full matrix: twice the products of its half, but without a branch.
-    scatter.noalias() += (points.weight(i) * m) * m.transpose();
-  }
-  const Matrix6d &S = scatter;
+  const Matrix6d S = scatterOf(points);
   const Eigen::Matrix3d S2 = S.topRightCorner<3, 3>();
   // Of whitened points the scatter of (u, v, 1) is the unit matrix, up to rounding.
   const Eigen::Matrix3d T = -Eigen::Matrix3d(S.bottomRightCorner<3, 3>()).inverse() * S2.transpose();
@@ -152,33 +202,59 @@ struct NormalEquations
 // Of the last candidate of a fit only the cost is asked for, which takes a third of the time.
 NormalEquations sampsonEquations(const WhitenedPoints &points, const Vector6d &conic, bool onlyCost = false)
 {
-  NormalEquations equations;
   const Eigen::Matrix2d metric = points.W * points.W.transpose();
-  for (std::size_t i = 0; i < points.size; i++) {
-    const double weight = points.weight(i);
-    const Eigen::Vector2d u = points.at(i);
-    const Vector6d m = monomials(u);
-    const double value = m.dot(conic);
-    const Eigen::Vector2d slope(2. * conic(0) * u.x() + conic(1) * u.y() + conic(3),
-                                conic(1) * u.x() + 2. * conic(2) * u.y() + conic(4));
-    const Eigen::Vector2d steepest = metric * slope;
-    const double squaredLength = slope.dot(steepest);
-    if (!(weight > 0.) || !(squaredLength > 0.)) {
-      continue;
+  Lanes cost = Lanes::Zero();
+  std::array<Lanes, 6> gradient;
+  std::array<std::array<Lanes, 6>, 6> hessian; // its lower triangle
+  for (std::size_t j = 0; j < 6; ++j) {
+    gradient[j].setZero();
+    for (Lanes &product : hessian[j]) {
+      product.setZero();
     }
-    const double perLength = 1. / std::sqrt(squaredLength);
-    const double distance = value * perLength;
-    equations.cost += weight * distance * distance;
+  }
+  points.forEach([&](const PointLanes &p) {
+    const Lanes slopeX = 2. * conic(0) * p.x + conic(1) * p.y + conic(3);
+    const Lanes slopeY = conic(1) * p.x + 2. * conic(2) * p.y + conic(4);
+    // By Euler's theorem on homogeneous functions.
+    const Lanes value = 0.5 * (p.x * (slopeX + conic(3)) + p.y * (slopeY + conic(4))) + conic(5);
+    const Lanes steepestX = metric(0, 0) * slopeX + metric(0, 1) * slopeY;
+    const Lanes steepestY = metric(1, 0) * slopeX + metric(1, 1) * slopeY;
+    const Lanes squaredLength = slopeX * steepestX + slopeY * steepestY;
+    // At the centre, where there is no distance, a point counts nothing.
+    const Lanes perSquare = (squaredLength > 0.).select(squaredLength.inverse(), 0.);
+    const Lanes perLength = perSquare.sqrt();
+    const Lanes distance = value * perLength;
+    cost += p.weight * distance * distance;
     if (onlyCost) {
-      continue;
+      return;
     }
     // Derivative of value / length: that of the length is h . d(slope), with h the metric's unit covector.
-    const Eigen::Vector2d h = (distance * perLength) * steepest; // times the distance
-    Vector6d lengthDerivative;
-    lengthDerivative << 2. * u.x() * h.x(), u.y() * h.x() + u.x() * h.y(), 2. * u.y() * h.y(), h.x(), h.y(), 0.;
-    const Vector6d J = perLength * (m - lengthDerivative);
-    equations.gradient += (weight * distance) * J;
-    equations.hessian.noalias() += (weight * J) * J.transpose();
+    const Lanes hx = distance * perLength * steepestX; // times the distance
+    const Lanes hy = distance * perLength * steepestY;
+    const std::array<Lanes, 6> J = {perLength * p.x * (p.x - 2. * hx),
+                                    perLength * (p.x * p.y - p.y * hx - p.x * hy),
+                                    perLength * p.y * (p.y - 2. * hy),
+                                    perLength * (p.x - hx),
+                                    perLength * (p.y - hy),
+                                    perLength};
+    for (std::size_t j = 0; j < 6; ++j) {
+      const Lanes weighted = p.weight * J[j];
+      gradient[j] += weighted * distance;
+      for (std::size_t k = 0; k <= j; ++k) {
+        hessian[j][k] += weighted * J[k];
+      }
+    }
+  });
+  NormalEquations equations;
+  equations.cost = cost.sum();
+  for (std::size_t j = 0; j < 6; ++j) {
+    const auto row = static_cast<Eigen::Index>(j);
+    equations.gradient[row] = gradient[j].sum();
+    for (std::size_t k = 0; k <= j; ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      equations.hessian(row, column) = hessian[j][k].sum();
+      equations.hessian(column, row) = equations.hessian(row, column);
+    }
   }
   return equations;
 }

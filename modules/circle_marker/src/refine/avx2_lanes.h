@@ -170,6 +170,16 @@ inline Lanes sumOfEach(const Lanes *blocks)
                        _mm256_permute2f128_ps(first.value(), last.value(), 0x31));
 }
 
+/*! Adds lanes to as many numbers. */
+inline void addEach(double *numbers, const Lanes &lanes)
+{
+  const auto add = [](double *four, const __m128 &half) {
+    _mm256_storeu_pd(four, _mm256_add_pd(_mm256_loadu_pd(four), _mm256_cvtps_pd(half)));
+  };
+  add(numbers, _mm256_castps256_ps128(lanes.value()));
+  add(numbers + 4, _mm256_extractf128_ps(lanes.value(), 1));
+}
+
 // 2^n e^r with |r| < log(2) / 2: Taylor's series of e^r up to r^7 / 7!, whose next term is below 6e-9.
 inline Lanes Lanes::exp() const
 {

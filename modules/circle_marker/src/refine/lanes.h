@@ -72,6 +72,14 @@ inline Lanes sumOfEach(const Lanes *blocks)
   }
   return sums;
 }
+
+/*! Adds lanes to as many numbers. */
+inline void addEach(double *numbers, const Lanes &lanes)
+{
+  for (int k = 0; k < laneCount; ++k) {
+    numbers[k] += static_cast<double>(lanes[k]);
+  }
+}
 #endif
 
 /*! Numbers of some lanes, in their order. */

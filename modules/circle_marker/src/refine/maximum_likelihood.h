@@ -88,7 +88,7 @@ struct FitMemory
   PixelBlocks blocks;           //!< The pixels.
   std::vector<Lanes> residuals; //!< Of the present parameters, block by block, grey levels.
   std::vector<Lanes> trial;     //!< Of the last pass.
-  std::vector<float> absolute;  //!< For the median.
+  std::vector<Lanes> sizes;     //!< Of the residuals, for their quantiles.
   PassSums sums;                //!< Of the present parameters.
   PassSums trialSums;           //!< Of the last pass.
 };

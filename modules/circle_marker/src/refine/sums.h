@@ -139,19 +139,56 @@ private:
 
   void closeGroup()
   {
-    std::size_t k = 0;
-    for (std::size_t i = 0; k < m_products; ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        Lanes sum = m_productLanes[k];
-        for (std::size_t block = 0; block < blocksOfGroup; ++block) {
-          sum += m_weighted[block][i] * m_rows[block][j];
-        }
-        m_productLanes[k++] = sum;
+    if (m_products > 0) {
+      // Two rows of the matrix at once: what is loaded for the one serves the other, and loads are what takes time.
+      for (std::size_t i = 0; i + 1 < m_used; i += 2) {
+        addProducts<2>(i);
+        m_productLanes[firstOfRow(i + 1) + i + 1] += productOf(i + 1, i + 1);
+      }
+      if (m_used % 2 == 1) {
+        addProducts<1>(m_used - 1);
       }
     }
     m_pending = 0;
     if (++m_groups == groupsToFlush) {
       flush();
+    }
+  }
+
+  static constexpr std::size_t firstOfRow(std::size_t i) { return i * (i + 1) / 2; }
+
+  Lanes productOf(std::size_t i, std::size_t j) const
+  {
+    Lanes sum = Lanes::Zero();
+    for (std::size_t block = 0; block < blocksOfGroup; ++block) {
+      sum += m_weighted[block][i] * m_rows[block][j];
+    }
+    return sum;
+  }
+
+  // The products of a group for some rows of the matrix, up to the diagonal in the first of them.
+  template <std::size_t rows> void addProducts(std::size_t first)
+  {
+    std::array<std::array<Lanes, blocksOfGroup>, rows> weighted;
+    for (std::size_t row = 0; row < rows; ++row) {
+      for (std::size_t block = 0; block < blocksOfGroup; ++block) {
+        weighted[row][block] = m_weighted[block][first + row];
+      }
+    }
+    for (std::size_t j = 0; j <= first; ++j) {
+      std::array<Lanes, rows> sums;
+      for (std::size_t row = 0; row < rows; ++row) {
+        sums[row] = m_productLanes[firstOfRow(first + row) + j];
+      }
+      for (std::size_t block = 0; block < blocksOfGroup; ++block) {
+        const Lanes other = m_rows[block][j];
+        for (std::size_t row = 0; row < rows; ++row) {
+          sums[row] += weighted[row][block] * other;
+        }
+      }
+      for (std::size_t row = 0; row < rows; ++row) {
+        m_productLanes[firstOfRow(first + row) + j] = sums[row];
+      }
     }
   }
 
@@ -164,10 +201,7 @@ private:
     }
     Numbers &numbers = all[direction];
     for (std::size_t k = 0; k < count; k += laneCount) {
-      const Lanes each = sumOfEach(lanes + k);
-      for (std::size_t i = 0; i < laneCount; ++i) {
-        numbers[k + i] += static_cast<double>(each[static_cast<std::ptrdiff_t>(i)]);
-      }
+      addEach(numbers.data() + k, sumOfEach(lanes + k));
     }
   }
 
