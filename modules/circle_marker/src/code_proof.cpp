@@ -42,7 +42,8 @@ constexpr unsigned int fewChecks = 14;
 // Residuals of the best codeword, in units of what noise and model leave. Beyond the other odds, ln, they may be more:
 // of a track that is less than a pixel wide the model misses some hundredths of its contrast. And if the same code was
 // read sector by sector, more again: the phases that are tried are then the coarsest of what is seen. (Right ones leave
-// up to 1.2; one of a ring found by its dark line that was read as another left 2.9.)
+// up to 1.2; one of a ring found by its dark line that was read as another left 2.9. Of 170 that were measured with
+// another code first, none left more than 1.2 then, either.)
 constexpr double mostUnexplained = 1.2;
 constexpr double mostUnexplainedIfClear = 1.6;
 constexpr double mostUnexplainedIfRead = 2.;
@@ -120,6 +121,11 @@ double leastOddsOf(const CodeToProve &what)
 bool leavesWhatPrintsLeave(const FittedPose &fit, double noise)
 {
   return leavesLittle(fit, noise, mostUnlike);
+}
+
+bool isWorthMeasuring(const LikelyCode &code)
+{
+  return code.unexplained < mostUnexplainedIfClear;
 }
 
 bool isProven(const LikelyCode &code, const CodeToProve &what)

@@ -47,6 +47,12 @@ struct CodeToProve
 bool isProven(const LikelyCode &code, const CodeToProve &what);
 
 /*!
+  Whether the likeliest code, if it is not the one that was measured with, is worth being measured with: the pose may be
+  off without it, but some codeword explains what is seen.
+*/
+bool isWorthMeasuring(const LikelyCode &code);
+
+/*!
   Whether a measurement leaves no more of the image than that of a print does, where codes cannot be compared.
   \param fit : What was measured.
   \param noise : Standard deviation of the image's noise, grey levels.

@@ -136,6 +136,9 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
       marker = std::move(*other);
       continue;
     }
+    if (!isWorthMeasuring(*code)) {
+      return std::nullopt;
+    }
     setCode(code->best, *measurement, marker);
     marker.isCertain = false;
   }

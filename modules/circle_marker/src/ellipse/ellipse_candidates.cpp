@@ -22,6 +22,7 @@
 #include <functional>
 
 #include "edges/convex_arcs.h"
+#include "ellipse/cap_pairs.h"
 #include "ellipse/outline_greys.h"
 #include "ellipse/sheet_ring.h"
 
@@ -37,8 +38,10 @@ constexpr std::size_t longestBlob = 38;
 // Longer closed edges are not the inside of a ring that is too thin to have an outer edge: one of 22 pixels at 60
 // degrees has 100 around its inside.
 constexpr std::size_t longestThinRing = 100;
-// Nor is one longer than this the edge of its sheet.
+// Nor is one longer than this the edge of its sheet; nor than this that of a sheet so narrow that its shape alone tells
+// where the ring is, which may be one of 75 pixels, 7 wide.
 constexpr std::size_t longestThinSheet = 150;
+constexpr std::size_t longestNarrowSheet = 260;
 // 4 pi times the area that either encloses, of the square of its length in pixels: more than 0.6 of an ellipse or a
 // sheet at 75 degrees, and the steps along diagonals are not counted longer.
 constexpr double leastRoundness = 0.5;
@@ -55,6 +58,11 @@ constexpr int mostJoins = 8;
 constexpr int mostJoinsOfAll = 300;
 // Points of two arcs that their ellipse is fitted to.
 constexpr std::size_t joinedPoints = 32;
+// Longer chains have no caps that count: once around a sheet whose ends are those of the longest narrow thing, and
+// more.
+constexpr std::size_t longestCapChain = 400;
+// Ellipses that are put together from ends: those that are tried, of an image.
+constexpr int mostEnds = 300;
 // No outline inside of the image is longer than the image's own: longer closed chains are something else.
 constexpr std::size_t longestOutline = 2;
 
@@ -175,8 +183,12 @@ struct Search
       return refuse(bench, index, EllipseReject::TIMEOUT);
     }
     const EdgeChain &chain = chains.chains[index];
-    if (sought.thinRing > 0. && chain.closed && chain.length() <= longestThinSheet && thinRing(index, bench)) {
+    if (sought.thinRing > 0. && chain.closed && chain.length() <= longestNarrowSheet && thinRing(index, bench)) {
       return;
+    }
+    // What is so narrow shows at the full size, if at all.
+    if (sought.thinRing > 0. && other.known == nullptr && chain.length() <= longestCapChain) {
+      findCaps(gradient, chains, index, bench.caps);
     }
     if (mostTurn(gradient, chains, chain) < leastArcTurn) {
       return refuse(bench, index,
@@ -229,7 +241,8 @@ struct Search
     };
     bench.points.clear();
     return (mayBeInside && hasDarkLine(RingNeighbour::INSIDE) && proposeThinRing(index, ThinRing::BY_INSIDE, bench)) ||
-           (isRound && hasDarkLine(RingNeighbour::SHEET) && proposeThinRing(index, ThinRing::BY_SHEET, bench)) ||
+           (isRound && chain.length() <= longestThinSheet && hasDarkLine(RingNeighbour::SHEET) &&
+            proposeThinRing(index, ThinRing::BY_SHEET, bench)) ||
            (roundness >= leastSheetRoundness && mayBeSheet(I, pixels, chain.length(), rise) &&
             proposeThinRing(index, ThinRing::BY_SHEETS_SHAPE, bench));
   }
@@ -332,6 +345,61 @@ struct Search
     return reason == EllipseReject::NONE;
   }
 
+  // Puts narrow things together from their ends.
+  void joinCaps() const
+  {
+    std::vector<EdgeCap *> &caps = memory.caps;
+    caps.clear();
+    for (EllipseMemory::Bench &bench : memory.benches) {
+      for (EdgeCap &cap : bench.caps) {
+        if (!memory.known.surrounds(cap.tip, wholeOutline)) {
+          caps.push_back(&cap);
+        }
+      }
+    }
+    std::sort(caps.begin(), caps.end(), [](const EdgeCap *p, const EdgeCap *q) {
+      return p->tip.x() != q->tip.x()   ? p->tip.x() < q->tip.x()
+             : p->tip.y() != q->tip.y() ? p->tip.y() < q->tip.y()
+                                        : p->chain < q->chain;
+    });
+    EllipseMemory::Bench &bench = memory.benches.front();
+    int tried = 0;
+    for (std::size_t i = 0; i < caps.size(); ++i) {
+      for (std::size_t j = i + 1; j < caps.size() && caps[j]->tip.x() - caps[i]->tip.x() <= longestNarrow; ++j) {
+        if (!mayBeEnds(chains, *caps[i], *caps[j])) {
+          continue;
+        }
+        if (deadline.hasPassed() || ++tried > mostEnds) {
+          return;
+        }
+        locateEnds(gradient, chains, *caps[i], *caps[j], bench.points);
+        putTogether(*caps[i], bench);
+      }
+    }
+  }
+
+  // The outline whose two ends are the points of the bench, as two dark caps or as those of its sheet.
+  void putTogether(const EdgeCap &cap, EllipseMemory::Bench &bench) const
+  {
+    const std::vector<EdgePoint> &points = bench.points;
+    if (!cap.isDark && !mayBeSheet(I, points.data(), points.size(), riseBesideLine(gradient))) {
+      return refuse(bench, cap.chain, points.data(), points.size(), EllipseReject::BRIGHT_INSIDE);
+    }
+    EllipseMemory::Proposal &proposal = bench.proposals.append();
+    proposal.candidate.ellipse = EllipseParameters();
+    const EllipseReject reason =
+        cap.isDark ? bench.fitter.fitEnds(I, gradient, points.data(), points.size(), sought, proposal.candidate)
+                   : bench.fitter.fitThinRing(I, gradient, points.data(), points.size(), ThinRing::BY_SHEETS_SHAPE,
+                                              sought.thinRing, proposal.candidate);
+    if (reason == EllipseReject::NONE) {
+      memory.known.take(proposal.candidate);
+    }
+    else {
+      refuse(bench, cap.chain, points.data(), points.size(), reason, proposal.candidate.ellipse);
+    }
+    bench.proposals.removeLast();
+  }
+
   // Keeps what was proposed, in the order of the chains: that does not depend on which thread had which chain.
   void settle() const
   {
@@ -373,6 +441,7 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
   for (EllipseMemory::Bench &bench : memory.benches) {
     bench.refusals.clear();
     bench.loose.clear();
+    bench.caps.clear();
   }
   const Search search = {I, gradient, chains, sought, other, deadline, memory};
   workers.run(chains.chains.size(),
@@ -382,6 +451,7 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
               [&](std::size_t chain, unsigned int worker) { search.arcsOfChain(chain, memory.benches[worker]); });
   search.settle();
   search.joinArcs();
+  search.joinCaps();
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "edges/convex_arcs.h"
+#include "edges/edge_caps.h"
 #include "ellipse/known_outlines.h"
 #include "ellipse/loose_arcs.h"
 #include "ellipse/outline_fitter.h"
@@ -53,6 +54,7 @@ struct EllipseMemory
     OutlineFitter fitter;
     std::vector<EdgePoint> points;
     std::vector<ConvexArc> arcs;
+    ReusedList<EdgeCap> caps;
     ReusedList<LooseArc> loose;
     ReusedList<Proposal> proposals;
     std::vector<Refusal> refusals;
@@ -61,6 +63,7 @@ struct EllipseMemory
   std::vector<std::uint8_t> left;    //!< One per chain: whether it is still to be cut into arcs.
   std::vector<Proposal *> proposals; //!< Of all benches, in the order of their chains.
   std::vector<LooseArc *> loose;     //!< Of all benches, the longest first.
+  std::vector<EdgeCap *> caps;       //!< Of all benches, from the left to the right.
   KnownOutlines known;
   bool keepsRefusals = false; //!< Whether refusals are kept, to be shown.
 };
@@ -76,7 +79,8 @@ struct OtherScale
 /*!
   Finds the ellipses among the edge chains of an image. A closed chain is fitted as it is; the others are cut where they
   bend the wrong way or sharply, and the ellipse fitted to an arc, or else to two arcs with something between them, is
-  completed by searching its whole outline for edges.
+  completed by searching its whole outline for edges. Where an ellipse is so narrow that it bends sharply itself, at its
+  tips, it is put together from these.
   The chains are shared among the workers; the result does not depend on their number.
   \param I : The image.
   \param gradient : Its gradient.

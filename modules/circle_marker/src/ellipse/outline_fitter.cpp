@@ -73,6 +73,10 @@ constexpr double leastDarkLineOfMost = 0.6;
 // larger ones the outer edge shows, even on dark ground in a blur of 1.1.
 constexpr double leastThinRing = 2.3;
 constexpr double mostThinRing = 11.;
+// Ratio of the axes up to which a ring has ends: less narrow ones bend less sharply, and arcs are made of them.
+constexpr double mostAxisRatioOfEnds = 0.42;
+// And between its ends the blur leaves this share of the step that they have.
+constexpr double leastStepBetweenEnds = 0.2;
 
 double rootMeanSquareDistance(const EllipseCandidate &candidate, const EdgePoint *points, std::size_t count)
 {
@@ -220,6 +224,33 @@ EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const 
   }
   candidate.contrast = medianContrast(I, candidate);
   return candidate.contrast < rise ? EllipseReject::NOT_DARK_INSIDE : EllipseReject::NONE;
+}
+
+EllipseReject OutlineFitter::fitEnds(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
+                                     std::size_t count, const SoughtCenters &sought, EllipseCandidate &candidate)
+{
+  candidate.isByLine = true;
+  candidate.points.reserve(mostSamples);
+  if (!fitPoints(points, count, candidate)) {
+    return EllipseReject::NOT_AN_ELLIPSE;
+  }
+  if (rootMeanSquareDistance(candidate, points, count) > fitToleranceOf(candidate.ellipse) &&
+      !fitMost(points, count, candidate)) {
+    return EllipseReject::BAD_FIT;
+  }
+  const EllipseParameters ellipse = candidate.ellipse;
+  if (ellipse.b < leastThinRing || ellipse.b > mostThinRing || ellipse.b > mostAxisRatioOfEnds * ellipse.a) {
+    return EllipseReject::NOT_AN_ELLIPSE;
+  }
+  if (!hasSoughtCenter(I, points, count, ellipse.center, sought)) {
+    return EllipseReject::OTHER_CENTER;
+  }
+  const GreysBeside beside = greysBeside(I, points, count);
+  setOutline(ellipse, mostFirstSamples, candidate);
+  candidate.conic = conicFromEllipse(ellipse);
+  candidate.contrast = medianContrast(I, candidate);
+  const double least = std::max(riseBesideLine(gradient), leastStepBetweenEnds * (beside.bright - beside.dark));
+  return candidate.contrast < least ? EllipseReject::NOT_DARK_INSIDE : EllipseReject::NONE;
 }
 
 // An ellipse through the dark line beside a closed edge.

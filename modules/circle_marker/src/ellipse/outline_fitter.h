@@ -69,6 +69,17 @@ public:
                           std::size_t count, double length, const SoughtCenters &sought, EllipseCandidate &candidate);
 
   /*!
+    The outline of a ring so narrow that only its ends show an edge: the ellipse through these.
+    \param I : The image.
+    \param gradient : Its gradient.
+    \param points, count : Points of both ends.
+    \param sought : What the markers have inside.
+    \param candidate : The outline, if the result is EllipseReject::NONE; undefined otherwise.
+  */
+  EllipseReject fitEnds(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
+                        std::size_t count, const SoughtCenters &sought, EllipseCandidate &candidate);
+
+  /*!
     The outline of a ring so small that its black line and the quiet zone around it are thinner than the blur: its outer
     edge is then no edge any more, and its inner one lies too far in. What stays in its place is the darkest line
     between them, halfway between the two radii.

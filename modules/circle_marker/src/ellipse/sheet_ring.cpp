@@ -163,12 +163,10 @@ std::size_t deepestValley(const Profile &greys, double rise)
   }
   return darkest;
 }
-} // namespace
 
-bool mayBeSheet(const vpImage<unsigned char> &I, const EdgePixel *pixels, std::size_t count, double rise)
+// Whether what has these moments may be a sheet.
+bool isLikeSheet(const vpImage<unsigned char> &I, const Moments &moments, double rise)
 {
-  const Moments moments =
-      momentsOf(count, [pixels](std::size_t k) { return Eigen::Vector2d(pixels[k].x, pixels[k].y); });
   const double determinant = moments.covariance.determinant();
   if (!(determinant > 0.) || std::abs(moments.area) < leastCompactness * 4. * M_PI * std::sqrt(determinant)) {
     return false;
@@ -181,6 +179,18 @@ bool mayBeSheet(const vpImage<unsigned char> &I, const EdgePixel *pixels, std::s
     const auto greys = profileOf(I, *shape, directions);
     return greys && deepestValley(*greys, rise) > 0;
   });
+}
+} // namespace
+
+bool mayBeSheet(const vpImage<unsigned char> &I, const EdgePixel *pixels, std::size_t count, double rise)
+{
+  return isLikeSheet(I, momentsOf(count, [pixels](std::size_t k) { return Eigen::Vector2d(pixels[k].x, pixels[k].y); }),
+                     rise);
+}
+
+bool mayBeSheet(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count, double rise)
+{
+  return isLikeSheet(I, momentsOf(count, [points](std::size_t k) { return points[k].position; }), rise);
 }
 
 std::optional<EllipseParameters> darkLineOfSheet(const vpImage<unsigned char> &I, const EdgePoint *points,

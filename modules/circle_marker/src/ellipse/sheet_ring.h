@@ -42,6 +42,10 @@ namespace circle_marker {
 */
 bool mayBeSheet(const vpImage<unsigned char> &I, const EdgePixel *pixels, std::size_t count, double rise);
 
+/*! The same of edge points, once around the sheet; where some are missing, a straight line goes on from one to the
+ * next. */
+bool mayBeSheet(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count, double rise);
+
 /*!
   The dark circle in the middle of a sheet that is seen at a slant, so narrow that no direction shows it for certain. A
   square and a disc alike have the shape of their circles in their second moments, seen from afar: only the size of the

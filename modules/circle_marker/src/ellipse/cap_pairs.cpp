@@ -1,0 +1,88 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The two ends of one narrow thing.
+ */
+
+#include "ellipse/cap_pairs.h"
+
+#include <algorithm>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// A narrow thing from tip to tip, pixels: of a shorter marker no code is left.
+constexpr double shortestNarrow = 10.;
+// Cosine of the angle between the axis of an end and the way from the other one's tip, 32 degrees: of a cap of few
+// pixels the axis is that wrong.
+constexpr double leastAlong = 0.85;
+// Pixels of both ends, by the distance of their tips: along either side of what is narrow lies one for each of its
+// length, or 0.7 along a diagonal, so that this is 40 to 60 % of the outline. What has less is seldom one thing.
+constexpr double leastPixels = 1.;
+// The sides of an end lie so far from that line: 0.21 of the length are those of an ellipse with 0.42 of it as its
+// width, and a pixel and a half is what a tip may be off. Nearer than half a pixel there is nothing between them.
+constexpr double mostBeside = 0.21;
+constexpr double mostOff = 1.5;
+constexpr double leastBeside = 0.5;
+
+// outward: unit vector from the other tip.
+bool areSidesBeside(const CapSides &sides, const EdgeCap &cap, const Eigen::Vector2d &outward, double length)
+{
+  // A chain goes around what is dark clockwise as the image is seen.
+  const double sign = cap.isDark ? 1. : -1.;
+  const auto beside = [&](const Eigen::Vector2d &side) {
+    const Eigen::Vector2d from = side - cap.tip;
+    return sign * (outward.x() * from.y() - outward.y() * from.x());
+  };
+  const double most = mostBeside * length + mostOff;
+  const double after = beside(sides.after);
+  const double before = -beside(sides.before);
+  return after >= leastBeside && after <= most && before >= leastBeside && before <= most;
+}
+} // namespace
+
+bool mayBeEnds(const EdgeChains &chains, const EdgeCap &one, const EdgeCap &other)
+{
+  if (one.isDark != other.isDark) {
+    return false;
+  }
+  const Eigen::Vector2d along = one.tip - other.tip;
+  if (along.dot(one.axis) <= 0. || along.dot(other.axis) >= 0.) {
+    return false; // most of them: at once
+  }
+  const double length = along.norm();
+  if (length < shortestNarrow || length > longestNarrow || along.dot(one.axis) < leastAlong * length ||
+      -along.dot(other.axis) < leastAlong * length) {
+    return false;
+  }
+  const auto half = static_cast<std::size_t>(0.5 * length);
+  std::size_t pixels = 0;
+  for (const EdgeCap *cap : {&one, &other}) {
+    pixels += std::min(cap->before, half) + std::min(cap->after, half);
+  }
+  return static_cast<double>(pixels) >= leastPixels * length &&
+         areSidesBeside(sidesOf(chains, one, half), one, along / length, length) &&
+         areSidesBeside(sidesOf(chains, other, half), other, -along / length, length);
+}
+
+void locateEnds(const Gradient &gradient, const EdgeChains &chains, const EdgeCap &one, const EdgeCap &other,
+                std::vector<EdgePoint> &points)
+{
+  const auto half = static_cast<std::size_t>(0.5 * (one.tip - other.tip).norm());
+  points.clear();
+  locateCap(gradient, chains, one, half, points);
+  locateCap(gradient, chains, other, half, points);
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,45 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The two ends of one narrow thing.
+ */
+
+#ifndef VP_CIRCLE_MARKER_CAP_PAIRS_H
+#define VP_CIRCLE_MARKER_CAP_PAIRS_H
+
+#include <vector>
+
+#include "edges/edge_caps.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! The longest narrow thing that is put together from its ends, pixels. */
+constexpr double longestNarrow = 190.;
+
+/*!
+  Whether two caps may be the ends of one thing: dark or bright both, they look away from each other, together they are
+  most of an outline, and their sides lie to either side of the line from tip to tip, not too far from it.
+*/
+bool mayBeEnds(const EdgeChains &chains, const EdgeCap &one, const EdgeCap &other);
+
+/*!
+  The edge points of two ends, first those of the one and then those of the other, each as far as half the way to the
+  other's tip.
+*/
+void locateEnds(const Gradient &gradient, const EdgeChains &chains, const EdgeCap &one, const EdgeCap &other,
+                std::vector<EdgePoint> &points);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
