@@ -170,6 +170,12 @@ TEST(DetectorReach, CodesAtGrazingAnglesOnDarkGround)
   expectReach({vpCircleMarkerFamily::GOLAY23, 7., 9., 1.4, 10., 160., 0.87, 0.7, 220., 1.2});
 }
 
+// Where paper, ring and ground are alike in the blur both edges are in pieces: what shows are the ends of either.
+TEST(DetectorReach, CodesAtGrazingAnglesOnGreyGround)
+{
+  expectReach({vpCircleMarkerFamily::GOLAY23, 6., 9., 1.45, 100., 160., 0.9, 0.7, 220., 1.3});
+}
+
 // The noise alone keeps them from correlating with their model.
 TEST(DetectorReach, FaintCodes)
 {

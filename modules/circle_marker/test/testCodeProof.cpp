@@ -78,6 +78,16 @@ TEST(CodeProof, TheCodeMustExplainTheTrack)
 
 // Of 200 pixels the noise is known to 5 %: without clear odds no more than 3.5 times that may be left, besides 0.3 % of
 // the contrast; of 20 pixels the factor is 1.2.
+TEST(CodeProof, NoOtherCodeIsMeasuredWhereNoneExplainsTheTrack)
+{
+  LikelyCode code;
+  code.odds = 0.5; // at a pose that is off, the next codeword is nearly as likely
+  code.unexplained = 1.5;
+  EXPECT_TRUE(isWorthMeasuring(code));
+  code.unexplained = 1.7;
+  EXPECT_FALSE(isWorthMeasuring(code));
+}
+
 TEST(CodeProof, NoMoreThanTheNoiseMayBeLeft)
 {
   EXPECT_TRUE(proves(35., fitThatLeaves(4. * 1.17 + 0.45), 4., false));

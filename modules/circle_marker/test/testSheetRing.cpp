@@ -70,6 +70,7 @@ TEST(SheetRing, IsFoundAtGrazingAngles)
       }
       ++found;
       EXPECT_TRUE(mayBeSheet(I, pixels.data(), pixels.size(), rise));
+      EXPECT_TRUE(mayBeSheet(I, sheet.data(), sheet.size(), rise));
       const EllipseParameters truth = middleOfRing(scene);
       EXPECT_LT((ellipse->center - truth.center).norm(), 0.5);
       EXPECT_NEAR(ellipse->a, truth.a, 0.06 * truth.a) << "ground " << ground;

@@ -76,10 +76,9 @@ public:
   }
 
   // i: from -size to 2 size.
-  const EdgePixel &operator[](std::ptrdiff_t i) const
-  {
-    return m_pixels[i < 0 ? i + m_size : i < m_size ? i : i - m_size];
-  }
+  std::ptrdiff_t numberOf(std::ptrdiff_t i) const { return i < 0 ? i + m_size : i < m_size ? i : i - m_size; }
+
+  const EdgePixel &operator[](std::ptrdiff_t i) const { return m_pixels[numberOf(i)]; }
 
   Eigen::Vector2d position(std::ptrdiff_t i) const { return Eigen::Vector2d((*this)[i].x, (*this)[i].y); }
 
@@ -112,6 +111,18 @@ public:
     const double first = crossOf(before, middle);
     const double last = crossOf(middle, after);
     return first > 0. && last > 0. ? 1 : first < 0. && last < 0. ? -1 : 0;
+  }
+
+  // The first pixel before which the edge does not turn back for a while: no turn goes on beyond it. The number of
+  // pixels if there is none.
+  std::ptrdiff_t quietPixel() const
+  {
+    std::ptrdiff_t quiet = 0;
+    std::ptrdiff_t i = 0;
+    for (; i < m_pixels.size() && quiet <= mostReach; i += turnStep) {
+      quiet = turnAt(i) == 0 ? quiet + turnStep : 0;
+    }
+    return std::min(i, m_pixels.size());
   }
 
   // Pixels on one side of a tip up to which the edge does not bend back.
@@ -161,12 +172,13 @@ void findCaps(const Gradient &gradient, const EdgeChains &chains, std::size_t in
   const auto close = [&]() {
     if (turn != 0) {
       EdgeCap &cap = caps.append();
-      cap = capAt(pixels, turns, (first + last) / 2, turn);
+      cap = capAt(pixels, turns, pixels.numberOf((first + last) / 2), turn);
       cap.chain = index;
     }
   };
-  for (std::ptrdiff_t i = 0; i < pixels.size(); i += turnStep) {
-    const int here = turns.turnAt(i);
+  const std::ptrdiff_t start = chains.chains[index].closed ? turns.quietPixel() : 0;
+  for (std::ptrdiff_t i = start; i < start + pixels.size(); i += turnStep) {
+    const int here = turns.turnAt(pixels.numberOf(i));
     if (here == 0) {
       continue;
     }

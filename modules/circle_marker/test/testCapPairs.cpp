@@ -1,0 +1,144 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The two ends of one narrow thing.
+ */
+
+#include "ellipse/cap_pairs.h"
+
+#include <cmath>
+
+#include "ellipse/fit_conic.h"
+#include "testRoomTools.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+constexpr unsigned int side = 120;
+const Eigen::Vector2d center(60., 60.);
+
+struct Capped
+{
+  Gradient gradient;
+  EdgeChains edges;
+  ReusedList<EdgeCap> caps;
+
+  template <class Scene> explicit Capped(const Scene &scene)
+  {
+    computeGradient(photograph(side, side, 0.7, scene), gradient);
+    linkEdgeChains(gradient, 14, edges);
+    for (std::size_t chain = 0; chain < edges.chains.size(); ++chain) {
+      findCaps(gradient, edges, chain, caps);
+    }
+  }
+};
+
+// The chains without what lies so near to the centre along a direction.
+EdgeChains brokenAt(const EdgeChains &whole, double angle, double reach)
+{
+  EdgeChains broken;
+  for (const EdgeChain &chain : whole.chains) {
+    const auto isLeft = [&](std::size_t i) {
+      const EdgePixel &pixel = whole.pixels[chain.begin + i % chain.length()];
+      return std::fabs(std::cos(angle) * (pixel.x - center.x()) + std::sin(angle) * (pixel.y - center.y())) >= reach;
+    };
+    std::size_t start = 0;
+    while (isLeft(start)) {
+      ++start;
+    }
+    for (std::size_t i = start; i < start + chain.length(); ++i) {
+      if (isLeft(i)) {
+        if (!isLeft(i - 1)) {
+          broken.chains.push_back({broken.pixels.size(), broken.pixels.size(), false});
+        }
+        broken.pixels.push_back(whole.pixels[chain.begin + i % chain.length()]);
+        broken.chains.back().end = broken.pixels.size();
+      }
+    }
+  }
+  return broken;
+}
+} // namespace
+
+TEST(CapPairs, EndsOfABrokenEllipse)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 20; ++i) {
+    const EllipseScene ellipse = {center, uniform(random, 25., 40.), uniform(random, 3., 4.),
+                                  uniform(random, -M_PI_2, M_PI_2)};
+    Capped found(ellipse);
+    const EdgeChains broken = brokenAt(found.edges, ellipse.angle, 5.);
+    ASSERT_EQ(broken.chains.size(), 2U);
+    found.caps.clear();
+    for (std::size_t chain = 0; chain < 2; ++chain) {
+      findCaps(found.gradient, broken, chain, found.caps);
+    }
+    ASSERT_EQ(found.caps.size(), 2U);
+    ASSERT_TRUE(mayBeEnds(broken, found.caps[0], found.caps[1]));
+    std::vector<EdgePoint> points = {{center, center}}; // left over from before
+    locateEnds(found.gradient, broken, found.caps[0], found.caps[1], points);
+    ASSERT_GT(points.size(), 2. * ellipse.a);
+    std::vector<Eigen::Vector2d> positions;
+    for (const EdgePoint &point : points) {
+      positions.push_back(point.position);
+    }
+    const auto conic = fitEllipse(positions.data(), positions.size());
+    const auto fitted = conic ? ellipseFromConic(*conic) : std::nullopt;
+    ASSERT_TRUE(fitted);
+    EXPECT_LT((fitted->center - center).norm(), 0.2);
+    EXPECT_NEAR(fitted->a, ellipse.a, 0.05 * ellipse.a) << "the blur takes a little of the tips";
+    EXPECT_NEAR(fitted->b, ellipse.b, 0.3);
+  }
+}
+
+TEST(CapPairs, WhatIsNoPair)
+{
+  const EllipseScene dark = {center, 30., 3.5, 0.4};
+  EllipseScene bright = dark;
+  std::swap(bright.inside, bright.outside);
+  const Capped one(dark);
+  ASSERT_EQ(one.caps.size(), 2U);
+  EdgeCap first = one.caps[0];
+  EdgeCap second = one.caps[1];
+  EXPECT_TRUE(mayBeEnds(one.edges, first, second));
+  EXPECT_TRUE(mayBeEnds(one.edges, second, first));
+  EXPECT_FALSE(mayBeEnds(one.edges, first, first));
+
+  EdgeCap other = second;
+  other.isDark = false;
+  EXPECT_FALSE(mayBeEnds(one.edges, first, other)) << "one end dark and one bright";
+  other = second;
+  other.axis = first.axis;
+  EXPECT_FALSE(mayBeEnds(one.edges, first, other)) << "both look the same way";
+  other = second;
+  other.axis = Eigen::Vector2d(-second.axis.y(), second.axis.x());
+  EXPECT_FALSE(mayBeEnds(one.edges, first, other)) << "one looks aside";
+  other = second;
+  other.before = 5;
+  other.after = 5;
+  first.before = 5;
+  first.after = 5;
+  EXPECT_FALSE(mayBeEnds(one.edges, first, other)) << "most of the outline is missing";
+  first = one.caps[0];
+  other = second;
+  other.isDark = false;
+  first.isDark = false;
+  EXPECT_FALSE(mayBeEnds(one.edges, first, other)) << "walked the wrong way round";
+  first = one.caps[0];
+  other = second;
+  other.tip += 200. * second.axis;
+  EXPECT_FALSE(mayBeEnds(one.edges, first, other)) << "too far away";
+  EXPECT_TRUE(mayBeEnds(Capped(bright).edges, Capped(bright).caps[0], Capped(bright).caps[1]));
+}
