@@ -17,7 +17,10 @@
 
 #include "ellipse/cap_pairs.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "ellipse/fit_conic.h"
 #include "testRoomTools.h"
@@ -101,6 +104,38 @@ TEST(CapPairs, EndsOfABrokenEllipse)
     EXPECT_NEAR(fitted->a, ellipse.a, 0.05 * ellipse.a) << "the blur takes a little of the tips";
     EXPECT_NEAR(fitted->b, ellipse.b, 0.3);
   }
+}
+
+TEST(CapPairs, EveryPairNearEnoughIsACandidateOnce)
+{
+  Random random = randomOfTest();
+  std::vector<EdgeCap> caps(300);
+  std::vector<const EdgeCap *> sorted;
+  for (EdgeCap &cap : caps) {
+    cap.tip = Eigen::Vector2d(std::floor(uniform(random, 0., 1000.)), std::floor(uniform(random, 0., 700.)));
+    cap.chain = sorted.size();
+    sorted.push_back(&cap);
+  }
+  sortCaps(sorted);
+  std::set<std::pair<const EdgeCap *, const EdgeCap *>> pairs;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    for (const CapRange &range : candidatesFor(sorted, i)) {
+      for (std::size_t j = range.begin; j < range.end; ++j) {
+        EXPECT_TRUE(pairs.insert(std::minmax(sorted[i], sorted[j])).second) << "only once";
+      }
+    }
+  }
+  std::size_t near = 0;
+  for (std::size_t i = 0; i < caps.size(); ++i) {
+    for (std::size_t j = i + 1; j < caps.size(); ++j) {
+      if ((caps[i].tip - caps[j].tip).norm() < longestNarrow) {
+        ++near;
+        EXPECT_EQ(pairs.count(std::minmax<const EdgeCap *>(&caps[i], &caps[j])), 1U);
+      }
+    }
+  }
+  EXPECT_GT(near, 3000U);
+  EXPECT_LT(pairs.size(), 6 * near) << "those far away are left out";
 }
 
 TEST(CapPairs, WhatIsNoPair)

@@ -18,7 +18,6 @@
 #include "edges/edge_caps.h"
 
 #include <algorithm>
-#include <cstdint>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {

@@ -26,8 +26,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! An end of something narrow, dark or bright: where its edge comes from one side, turns back, and leaves on the other.
- */
+/*! An end of something narrow, dark or bright: where its edge comes from one side and turns back to the other. */
 struct EdgeCap
 {
   std::size_t chain = 0;  //!< Index of its chain.
@@ -39,16 +38,17 @@ struct EdgeCap
   bool isDark = false;    //!< Whether that is darker than what is around.
 };
 
-/*! Finds the caps of a chain by the directions of its pixels' gradients; they are appended in the order of the chain.
- */
+/*! Finds the caps of a chain by the gradients of its pixels; they are appended in the order of the chain. */
 void findCaps(const Gradient &gradient, const EdgeChains &chains, std::size_t index, ReusedList<EdgeCap> &caps);
 
-/*! Where a cap goes by, at most so many pixels before and after its tip. */
+/*! A pixel on either side of a cap. */
 struct CapSides
 {
   Eigen::Vector2d before;
   Eigen::Vector2d after;
 };
+
+/*! Where a cap is so many pixels before and after its tip, or where it ends if that is nearer. */
 CapSides sidesOf(const EdgeChains &chains, const EdgeCap &cap, std::size_t reach);
 
 /*! The edge points of a cap in the order of its chain, so many pixels to either side of the tip, appended to points. */

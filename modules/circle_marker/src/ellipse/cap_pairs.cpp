@@ -18,6 +18,7 @@
 #include "ellipse/cap_pairs.h"
 
 #include <algorithm>
+#include <cmath>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -28,13 +29,19 @@ constexpr double shortestNarrow = 10.;
 // pixels the axis is that wrong.
 constexpr double leastAlong = 0.85;
 // Pixels of both ends, by the distance of their tips: along either side of what is narrow lies one for each of its
-// length, or 0.7 along a diagonal, so that this is 40 to 60 % of the outline. What has less is seldom one thing.
+// length, or 0.7 along a diagonal, so that this is 50 to 70 % of the outline. What has less is seldom one thing.
 constexpr double leastPixels = 1.;
 // The sides of an end lie so far from that line: 0.21 of the length are those of an ellipse with 0.42 of it as its
 // width, and a pixel and a half is what a tip may be off. Nearer than half a pixel there is nothing between them.
 constexpr double mostBeside = 0.21;
 constexpr double mostOff = 1.5;
 constexpr double leastBeside = 0.5;
+
+// The number of the band of rows, as high as the longest narrow thing, that a cap lies in.
+double bandOf(const EdgeCap &cap)
+{
+  return std::floor(cap.tip.y() / longestNarrow);
+}
 
 // outward: unit vector from the other tip.
 bool areSidesBeside(const CapSides &sides, const EdgeCap &cap, const Eigen::Vector2d &outward, double length)
@@ -74,6 +81,31 @@ bool mayBeEnds(const EdgeChains &chains, const EdgeCap &one, const EdgeCap &othe
   return static_cast<double>(pixels) >= leastPixels * length &&
          areSidesBeside(sidesOf(chains, one, half), one, along / length, length) &&
          areSidesBeside(sidesOf(chains, other, half), other, -along / length, length);
+}
+
+void sortCaps(std::vector<const EdgeCap *> &caps)
+{
+  std::sort(caps.begin(), caps.end(), [](const EdgeCap *p, const EdgeCap *q) {
+    return bandOf(*p) != bandOf(*q)   ? bandOf(*p) < bandOf(*q)
+           : p->tip.x() != q->tip.x() ? p->tip.x() < q->tip.x()
+           : p->tip.y() != q->tip.y() ? p->tip.y() < q->tip.y()
+                                      : p->chain < q->chain;
+  });
+}
+
+std::array<CapRange, 2> candidatesFor(const std::vector<const EdgeCap *> &caps, std::size_t i)
+{
+  const double left = caps[i]->tip.x() - longestNarrow;
+  const double right = caps[i]->tip.x() + longestNarrow;
+  const double band = bandOf(*caps[i]);
+  // The first cap of a band, or of one after it, from here to the right.
+  const auto firstOf = [&](double wanted, double from) {
+    const auto found = std::partition_point(caps.begin(), caps.end(), [&](const EdgeCap *cap) {
+      return bandOf(*cap) < wanted || (bandOf(*cap) == wanted && cap->tip.x() < from);
+    });
+    return static_cast<std::size_t>(found - caps.begin());
+  };
+  return {{{i + 1, firstOf(band, right)}, {firstOf(band + 1., left), firstOf(band + 1., right)}}};
 }
 
 void locateEnds(const Gradient &gradient, const EdgeChains &chains, const EdgeCap &one, const EdgeCap &other,

@@ -18,6 +18,8 @@
 #ifndef VP_CIRCLE_MARKER_CAP_PAIRS_H
 #define VP_CIRCLE_MARKER_CAP_PAIRS_H
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "edges/edge_caps.h"
@@ -32,6 +34,22 @@ constexpr double longestNarrow = 190.;
   most of an outline, and their sides lie to either side of the line from tip to tip, not too far from it.
 */
 bool mayBeEnds(const EdgeChains &chains, const EdgeCap &one, const EdgeCap &other);
+
+/*! A half-open range of caps. */
+struct CapRange
+{
+  std::size_t begin;
+  std::size_t end;
+};
+
+/*! Sorts caps for candidatesFor(): by bands of rows, then from the left to the right. */
+void sortCaps(std::vector<const EdgeCap *> &caps);
+
+/*!
+  The caps near enough to one of them to be the other end, of which those before it in the list are left out: all pairs
+  of a large image would be too many.
+*/
+std::array<CapRange, 2> candidatesFor(const std::vector<const EdgeCap *> &caps, std::size_t i);
 
 /*!
   The edge points of two ends, first those of the one and then those of the other, each as far as half the way to the

@@ -61,8 +61,10 @@ constexpr std::size_t joinedPoints = 32;
 // Longer chains have no caps that count: once around a sheet whose ends are those of the longest narrow thing, and
 // more.
 constexpr std::size_t longestCapChain = 400;
-// Ellipses that are put together from ends: those that are tried, of an image.
-constexpr int mostEnds = 300;
+// Ellipses that are put together from ends: so many are tried of any image, and one more for so many pixels. Clutter
+// has one for 40000.
+constexpr std::size_t fewestEnds = 100;
+constexpr std::size_t pixelsForEnds = 2000;
 // No outline inside of the image is longer than the image's own: longer closed chains are something else.
 constexpr std::size_t longestOutline = 2;
 
@@ -348,7 +350,7 @@ struct Search
   // Puts narrow things together from their ends.
   void joinCaps() const
   {
-    std::vector<EdgeCap *> &caps = memory.caps;
+    std::vector<const EdgeCap *> &caps = memory.caps;
     caps.clear();
     for (EllipseMemory::Bench &bench : memory.benches) {
       for (EdgeCap &cap : bench.caps) {
@@ -357,23 +359,25 @@ struct Search
         }
       }
     }
-    std::sort(caps.begin(), caps.end(), [](const EdgeCap *p, const EdgeCap *q) {
-      return p->tip.x() != q->tip.x()   ? p->tip.x() < q->tip.x()
-             : p->tip.y() != q->tip.y() ? p->tip.y() < q->tip.y()
-                                        : p->chain < q->chain;
-    });
+    sortCaps(caps);
     EllipseMemory::Bench &bench = memory.benches.front();
-    int tried = 0;
+    std::size_t left = fewestEnds + I.getSize() / pixelsForEnds;
     for (std::size_t i = 0; i < caps.size(); ++i) {
-      for (std::size_t j = i + 1; j < caps.size() && caps[j]->tip.x() - caps[i]->tip.x() <= longestNarrow; ++j) {
-        if (!mayBeEnds(chains, *caps[i], *caps[j])) {
-          continue;
+      if (deadline.hasPassed()) {
+        return;
+      }
+      for (const CapRange &range : candidatesFor(caps, i)) {
+        for (std::size_t j = range.begin; j < range.end; ++j) {
+          if (!mayBeEnds(chains, *caps[i], *caps[j])) {
+            continue;
+          }
+          if (left == 0 || deadline.hasPassed()) {
+            return;
+          }
+          --left;
+          locateEnds(gradient, chains, *caps[i], *caps[j], bench.points);
+          putTogether(*caps[i], bench);
         }
-        if (deadline.hasPassed() || ++tried > mostEnds) {
-          return;
-        }
-        locateEnds(gradient, chains, *caps[i], *caps[j], bench.points);
-        putTogether(*caps[i], bench);
       }
     }
   }

@@ -63,7 +63,7 @@ struct EllipseMemory
   std::vector<std::uint8_t> left;    //!< One per chain: whether it is still to be cut into arcs.
   std::vector<Proposal *> proposals; //!< Of all benches, in the order of their chains.
   std::vector<LooseArc *> loose;     //!< Of all benches, the longest first.
-  std::vector<EdgeCap *> caps;       //!< Of all benches, from the left to the right.
+  std::vector<const EdgeCap *> caps; //!< Of all benches.
   KnownOutlines known;
   bool keepsRefusals = false; //!< Whether refusals are kept, to be shown.
 };
