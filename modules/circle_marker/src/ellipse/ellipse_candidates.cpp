@@ -354,10 +354,11 @@ struct Search
     caps.clear();
     for (EllipseMemory::Bench &bench : memory.benches) {
       for (EdgeCap &cap : bench.caps) {
-        if (!memory.known.surrounds(cap.tip, wholeOutline)) {
-          caps.push_back(&cap);
-        }
+        caps.push_back(&cap);
       }
+    }
+    if (deadline.hasPassed()) {
+      return;
     }
     sortCaps(caps);
     EllipseMemory::Bench &bench = memory.benches.front();
@@ -375,6 +376,11 @@ struct Search
             return;
           }
           --left;
+          // All outlines are gone through: only for what is one of a pair.
+          if (memory.known.surrounds(caps[i]->tip, wholeOutline) ||
+              memory.known.surrounds(caps[j]->tip, wholeOutline)) {
+            continue;
+          }
           locateEnds(gradient, chains, *caps[i], *caps[j], bench.points);
           putTogether(*caps[i], bench);
         }
