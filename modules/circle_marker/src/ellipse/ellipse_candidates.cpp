@@ -61,6 +61,10 @@ constexpr std::size_t joinedPoints = 32;
 // Longer chains have no caps that count: once around a sheet whose ends are those of the longest narrow thing, and
 // more.
 constexpr std::size_t longestCapChain = 400;
+// Where there are more ends than these, of any image, and one more for so many pixels, most are of a texture, and each
+// has too many others around. Clutter has one for 2300 pixels.
+constexpr std::size_t fewestCaps = 200;
+constexpr std::size_t pixelsForCap = 600;
 // Ellipses that are put together from ends: so many are tried of any image, and one more for so many pixels. Clutter
 // has one for 40000.
 constexpr std::size_t fewestEnds = 100;
@@ -357,7 +361,7 @@ struct Search
         caps.push_back(&cap);
       }
     }
-    if (deadline.hasPassed()) {
+    if (deadline.hasPassed() || caps.size() > fewestCaps + I.getSize() / pixelsForCap) {
       return;
     }
     sortCaps(caps);
