@@ -144,10 +144,8 @@ TEST_F(Accuracy, DrawsFromItsRangesAndComparesWithAPositiveBound)
       least = std::min(least, number(row, "diameter_px"));
       most = std::max(most, number(row, "diameter_px"));
     }
-    if (row.at("part") != "cells") {
-      for (const char *name : {"bound_x_mm", "bound_y_mm", "bound_z_mm", "bound_normal_deg"}) {
-        EXPECT_GT(number(row, name), 0.) << name;
-      }
+    for (const char *name : {"bound_x_mm", "bound_y_mm", "bound_z_mm", "bound_normal_deg"}) {
+      EXPECT_GT(number(row, name), 0.) << name;
     }
   }
   EXPECT_LT(least, 40.);

@@ -109,6 +109,25 @@ TEST(PoseCheck, SpinOfAPlainRingDoesNotCount)
   EXPECT_NEAR(mean, 5., 4. * std::sqrt(10. / count));
 }
 
+TEST(Summary, LeastMeansByTheBound)
+{
+  Record record;
+  record.found = 1.;
+  record.boundX = 1.;
+  record.boundY = 2.;
+  record.boundZ = 2.;
+  record.boundNormal = 1.;
+  record.predicted = 0.25;
+  record.tilt = 10.;
+  Record facing = record;
+  facing.tilt = 0.5; // less than the bound of its normal
+  Record lost = record;
+  lost.found = 0.;
+  EXPECT_NEAR(summaryOf({record, lost}).positionBound, 3. * 0.797885, 1e-6);
+  EXPECT_NEAR(summaryOf({record, lost}).normalBound, 0.75 * 0.797885 + 0.25 * 20., 1e-6);
+  EXPECT_NEAR(summaryOf({facing}).normalBound, 0.75 * 0.5 + 0.25 * 1., 1e-12);
+}
+
 TEST(Summary, RatiosBiasesAndCounts)
 {
   std::mt19937_64 random = seededFromTestName();

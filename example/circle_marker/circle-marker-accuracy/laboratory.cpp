@@ -84,13 +84,6 @@ void addError(const Sighting &sighting, const Scene &scene, Record &record)
 }
 } // namespace
 
-Limit noLimit()
-{
-  Limit limit;
-  limit.bound.x = limit.bound.y = limit.bound.z = limit.bound.normal = limit.bound.spin = none;
-  return limit;
-}
-
 Limit Laboratory::limitOf(const Scene &scene, bool withSeparation) const
 {
   vpMarkerPoseBound bound(scene.camera, withRounding(scene.modelled));

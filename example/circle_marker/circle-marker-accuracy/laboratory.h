@@ -34,9 +34,6 @@ struct Limit
   bool isCertain = false; //!< Not computed, because the marker is so large that the two poses cannot be confused.
 };
 
-/*! Where no limit is asked for. */
-Limit noLimit();
-
 /*! The detectors and pictures of one thread. */
 class Laboratory
 {

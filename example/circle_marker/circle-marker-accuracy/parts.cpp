@@ -131,7 +131,7 @@ Record inThesisCell(Laboratory &laboratory, const ThesisCell &cell, const std::s
   range.maxDepth = cell.maxDepth;
   range.maxTilt = vpMath::rad(cell.maxTilt);
   scene.cMo = vpRandomMarkerPose(scene.marker(), scene.camera, scene.width, scene.height, range, mixed(seed, CELLS));
-  return named(laboratory.measure(scene, noLimit()), "cells", family + " " + nameOf(cell));
+  return named(laboratory.measure(scene, laboratory.limitOf(scene, true)), "cells", family + " " + nameOf(cell));
 }
 
 void addCells(const Settings &settings, std::vector<Batch> &batches)

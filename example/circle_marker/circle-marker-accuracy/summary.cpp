@@ -56,6 +56,21 @@ double probability(const Record &record)
   return 1. / (1. + std::exp(-record.logOdds));
 }
 
+// Mean length of a vector by its root mean square, at least: that of one whose parts but one are nothing.
+const double meanOfRms = std::sqrt(2. / M_PI);
+
+double leastPosition(const Record &record)
+{
+  return meanOfRms *
+         std::sqrt(record.boundX * record.boundX + record.boundY * record.boundY + record.boundZ * record.boundZ);
+}
+
+double leastNormal(const Record &record)
+{
+  return (1. - record.predicted) * std::min(meanOfRms * record.boundNormal, record.tilt) +
+         record.predicted * 2. * record.tilt;
+}
+
 void addErrors(const Records &right, Summary &summary)
 {
   for (int q = 0; q < QUANTITIES; ++q) {
@@ -110,6 +125,8 @@ Summary summaryOf(const Records &records)
   summary.positionMedian = position.median;
   summary.normal = normal.mean;
   summary.normalMedian = normal.median;
+  summary.positionBound = over(found, leastPosition).mean;
+  summary.normalBound = over(found, leastNormal).mean;
   summary.positionSpread = position.sigma;
   summary.normalSpread = normal.sigma;
   summary.milliseconds = over(records, [](const Record &r) { return r.milliseconds; }).median;

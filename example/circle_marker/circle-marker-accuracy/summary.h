@@ -62,6 +62,8 @@ struct Summary
   double position = none, positionMedian = none;     //!< |C - eC| over all frames found, mm.
   double normal = none, normalMedian = none;         //!< Angle of the normal over all frames found, degrees.
   double positionSpread = none, normalSpread = none; //!< Standard deviations of these two.
+  double positionBound = none,
+         normalBound = none;  //!< The least these two means can be, on the average; see summaryOf().
   double rotation = none;     //!< Root mean square of the rotation's error, degrees; 6 degrees of freedom.
   double milliseconds = none; //!< Median CPU time of an image.
 
@@ -69,6 +71,12 @@ struct Summary
   double ratioError() const;
 };
 
+/*!
+  The mean length of a normally distributed error is sqrt(2/pi) of its root mean square at least: so much of the bound
+  is the least the means over the frames found can be. Of the normal's error it is no more than the tilt, for the bound
+  is one of the first order and grows without limit where the marker faces the camera; and as often as the wrong
+  solution is predicted to be the likelier one, the error is twice the tilt.
+*/
 Summary summaryOf(const Records &records);
 
 /*! How often those that were as sure as this were right. */

@@ -171,8 +171,8 @@ Table modelTable(const Records &model)
 Table cellTable(const Records &cells)
 {
   Table table = {"The thesis's cells: ring of 180 mm, noise 2, blur 0.7 px, contrast 190; wrong solutions included",
-                 {"cell", "images", "found %", "wrong", "mean |C-eC| mm", "median", "aim", "mean normal °", "median",
-                  "aim", "CPU ms"},
+                 {"cell", "images", "found %", "wrong", "wrong by the bound", "mean |C-eC| mm", "least by the bound",
+                  "median", "aim", "mean normal °", "least by the bound", "median", "aim", "CPU ms"},
                  {}};
   for (const char *family : thesisFamilies) {
     for (const ThesisCell &cell : thesisCells) {
@@ -181,8 +181,9 @@ Table cellTable(const Records &cells)
       if (!records.empty()) {
         const Summary s = summaryOf(records);
         table.rows.push_back({name, std::to_string(s.frames), common::percent(s.found, s.frames),
-                              std::to_string(s.wrong), digits(s.position), digits(s.positionMedian),
-                              format("%g", cell.meanError), format("%.4f", s.normal), format("%.4f", s.normalMedian),
+                              std::to_string(s.wrong), format("%.1f", s.predicted), digits(s.position),
+                              digits(s.positionBound), digits(s.positionMedian), format("%g", cell.meanError),
+                              format("%.4f", s.normal), format("%.4f", s.normalBound), format("%.4f", s.normalMedian),
                               format("%g", cell.meanNormal), digits(s.milliseconds)});
       }
     }
