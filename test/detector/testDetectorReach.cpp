@@ -81,6 +81,8 @@ void expectReach(const Sort &sort)
     }
     EXPECT_LE(detector.getNbObjects(), truth.size());
   }
+  ::testing::Test::RecordProperty("found", static_cast<int>(found));
+  ::testing::Test::RecordProperty("markers", static_cast<int>(markers));
   EXPECT_GE(found, sort.floor * markers) << "of " << markers;
 }
 } // namespace

@@ -109,4 +109,5 @@ TEST(KnownOutlines, SurroundsWhatIsInside)
   EXPECT_TRUE(known.outlines.surrounds(center + 79. * minor, 0.7));
   EXPECT_FALSE(known.outlines.surrounds(center + 81. * minor, 0.7));
   EXPECT_FALSE(known.outlines.surrounds(center, 0.8)) << "less is found of it";
+  EXPECT_FALSE(known.outlines.surrounds(center, 0.7, known.outlines.outlines.size())) << "all are left out";
 }

@@ -351,6 +351,19 @@ struct Search
     return reason == EllipseReject::NONE;
   }
 
+  // Whether a cap is inside of an outline that is mostly found. All outlines are gone through, so each cap asks only when
+  // it is one of a pair, and only for those that it has not asked for yet.
+  bool isInside(std::size_t cap) const
+  {
+    EllipseMemory::Around &around = memory.around[cap];
+    const std::size_t known = memory.known.outlines.size();
+    if (!around.isInside && around.asked < known) {
+      around.isInside = memory.known.surrounds(memory.caps[cap]->tip, wholeOutline, around.asked);
+      around.asked = known;
+    }
+    return around.isInside;
+  }
+
   // Puts narrow things together from their ends.
   void joinCaps() const
   {
@@ -365,6 +378,7 @@ struct Search
       return;
     }
     sortCaps(caps);
+    memory.around.assign(caps.size(), {});
     EllipseMemory::Bench &bench = memory.benches.front();
     std::size_t left = fewestEnds + I.getSize() / pixelsForEnds;
     for (std::size_t i = 0; i < caps.size(); ++i) {
@@ -379,12 +393,10 @@ struct Search
           if (left == 0 || deadline.hasPassed()) {
             return;
           }
-          --left;
-          // All outlines are gone through: only for what is one of a pair.
-          if (memory.known.surrounds(caps[i]->tip, wholeOutline) ||
-              memory.known.surrounds(caps[j]->tip, wholeOutline)) {
+          if (isInside(i) || isInside(j)) {
             continue;
           }
+          --left;
           locateEnds(gradient, chains, *caps[i], *caps[j], bench.points);
           putTogether(*caps[i], bench);
         }

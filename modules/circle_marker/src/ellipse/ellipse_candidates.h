@@ -48,6 +48,12 @@ struct EllipseMemory
     EllipseParameters ellipse; //!< a = 0 if there is none.
     std::vector<EdgePoint> points;
   };
+  /*! What is known of where a cap is. */
+  struct Around
+  {
+    std::size_t asked = 0; //!< Of the known outlines, so many were asked whether it is inside of them.
+    bool isInside = false; //!< Whether it is inside of one of these.
+  };
   /*! Memory of one thread. */
   struct Bench
   {
@@ -64,6 +70,7 @@ struct EllipseMemory
   std::vector<Proposal *> proposals; //!< Of all benches, in the order of their chains.
   std::vector<LooseArc *> loose;     //!< Of all benches, the longest first.
   std::vector<const EdgeCap *> caps; //!< Of all benches.
+  std::vector<Around> around;        //!< One per cap.
   KnownOutlines known;
   bool keepsRefusals = false; //!< Whether refusals are kept, to be shown.
 };

@@ -126,13 +126,17 @@ bool KnownOutlines::holds(const EdgePoint *points, std::size_t count, double sca
   return false;
 }
 
-bool KnownOutlines::surrounds(const Eigen::Vector2d &point, double leastSupport) const
+bool KnownOutlines::surrounds(const Eigen::Vector2d &point, double leastSupport, std::size_t first) const
 {
-  return std::any_of(outlines.begin(), outlines.end(), [&](const EllipseCandidate &known) {
-    return known.support >= leastSupport &&
-           (point - known.ellipse.center).squaredNorm() < known.ellipse.a * known.ellipse.a &&
-           sampsonDistance(known.conic, point) < 0.;
-  });
+  for (std::size_t i = first; i < outlines.size(); ++i) {
+    const EllipseCandidate &known = outlines[i];
+    if (known.support >= leastSupport &&
+        (point - known.ellipse.center).squaredNorm() < known.ellipse.a * known.ellipse.a &&
+        sampsonDistance(known.conic, point) < 0.) {
+      return true;
+    }
+  }
+  return false;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -56,8 +56,8 @@ public:
   bool holds(const EdgePoint *points, std::size_t count, double scale = 1., double shift = 0.,
              double leastSupport = 0.) const;
 
-  /*! Whether a point is inside of an outline of which this share at least is found. */
-  bool surrounds(const Eigen::Vector2d &point, double leastSupport) const;
+  /*! Whether a point is inside of an outline of which this share at least is found, leaving out the first ones. */
+  bool surrounds(const Eigen::Vector2d &point, double leastSupport, std::size_t first = 0) const;
 
   ReusedList<EllipseCandidate> outlines; //!< All of them. Sorting them is the end of this index.
 
