@@ -99,8 +99,8 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
   if (!ring) {
     return std::nullopt;
   }
-  const auto measurement = measure(I, camera, *ring, true, memory);
-  if (!measurement || deadline.hasPassed()) {
+  const auto measurement = measure(I, camera, *ring, true, memory, deadline);
+  if (!measurement) {
     return std::nullopt;
   }
   const MeasuredRing first = ringOf(measurement->first, ring->poses[0], camera);

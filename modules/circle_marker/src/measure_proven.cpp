@@ -66,13 +66,13 @@ void setCode(const PlacedCode &code, const Measurement &measurement, Recognition
 // codes are compared are those that the likeliest has made of the image.
 std::optional<Recognition> challenger(const vpImage<unsigned char> &I, const CameraModel &camera,
                                       const LikelyCode &code, const Measurement &measurement, Recognition marker,
-                                      MeasureMemory &memory)
+                                      MeasureMemory &memory, const Deadline &deadline)
 {
   if (code.next.id < 0) {
     return std::nullopt;
   }
   setCode(code.next, measurement, marker);
-  const auto other = measure(I, camera, marker, true, memory);
+  const auto other = measure(I, camera, marker, true, memory, deadline);
   const bool isAsGood = other && other->first.noise < clearlyMore * measurement.first.noise;
   return isAsGood ? std::make_optional(std::move(marker)) : std::nullopt;
 }
@@ -92,15 +92,15 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
                                          Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
 {
   if (!marker.isCertain) {
-    const auto start = measure(I, camera, marker, false, memory);
+    const auto start = measure(I, camera, marker, false, memory, deadline);
     if (!start || start->first.correlation < leastCorrelationAtStart) {
       return std::nullopt;
     }
   }
   for (int round = 0; round < mostRounds; ++round) {
     const ImageFrame frame = frameOf(marker.poses[0], camera);
-    auto measurement = measure(I, camera, marker, true, memory);
-    if (!measurement || deadline.hasPassed()) {
+    auto measurement = measure(I, camera, marker, true, memory, deadline);
+    if (!measurement) {
       return std::nullopt;
     }
     if (!marker.isCertain && measurement->first.correlation < leastCorrelationMeasured) {
@@ -126,7 +126,7 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
       if (marker.isCertain || code->odds > clearOdds) {
         return measurement;
       }
-      auto other = challenger(I, camera, *code, *measurement, marker, memory);
+      auto other = challenger(I, camera, *code, *measurement, marker, memory, deadline);
       if (deadline.hasPassed()) {
         return std::nullopt;
       }

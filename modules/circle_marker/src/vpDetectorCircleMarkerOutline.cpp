@@ -176,7 +176,7 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
                        : std::nullopt;
   if (covered && (marker.code.hamming > 0 || covered->code.id == marker.code.id)) {
     scaleTo(sizeOf(*covered, visit.size), covered->poses);
-    if (auto again = measure(visit.I, visit.camera, *covered, true, memory)) {
+    if (auto again = measure(visit.I, visit.camera, *covered, true, memory, visit.deadline)) {
       marker = std::move(*covered);
       return again;
     }
@@ -192,11 +192,10 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
 {
   const bool isProofWanted =
       settings.refinePose && !marker.seen && !marker.blurred && wantsProof(outline.ellipse, marker.family);
-  auto measurement =
-      isProofWanted
-          ? measureProven(visit.I, visit.camera, m_outlines.full.gradient.noise, marker, bench.measuring,
-                          visit.deadline)
-          : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring));
+  auto measurement = isProofWanted ? measureProven(visit.I, visit.camera, m_outlines.full.gradient.noise, marker,
+                                                   bench.measuring, visit.deadline)
+                                   : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose,
+                                                                     bench.measuring, visit.deadline));
   if (measurement && settings.refinePose && !isProofWanted) {
     measurement = withoutCover(visit, outline, *measurement, marker, bench);
   }

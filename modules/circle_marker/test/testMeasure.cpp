@@ -173,6 +173,22 @@ TEST(Measure, WithoutRefinementThePosesStay)
   }
 }
 
+// A fit that is cut short may be that of the right pose, and the other one be all that is left.
+TEST(Measure, NothingAfterTheDeadline)
+{
+  Random random = randomOfTest();
+  const MarkerScene scene =
+      markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 8, 80., uniform(random, 0.4, 0.8), side);
+  const vpImage<unsigned char> I = photograph(side, side, 0.7, scene);
+  const CameraModel camera(scene.camera());
+  MeasureMemory memory;
+  const Deadline longPast(1e-6);
+  for (const bool refine : {true, false}) {
+    EXPECT_FALSE(measure(I, camera, recognised(scene, 8, false), refine, memory, longPast));
+    EXPECT_TRUE(measure(I, camera, recognised(scene, 8, false), refine, memory, Deadline(1e6)));
+  }
+}
+
 TEST(Measure, WhatIsNotTheMarkerIsRefused)
 {
   Random random = randomOfTest();

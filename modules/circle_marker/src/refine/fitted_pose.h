@@ -24,6 +24,7 @@
 
 #include "pose/marker_plane.h"
 #include "refine/photometry.h"
+#include "support/deadline.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -65,6 +66,7 @@ struct FitSettings
   //! A step is the last when what it leaves of the way is expected to be less than this share of a standard deviation.
   double convergence = 0.15;
   std::optional<Rival> rival; //!< Who a fit has to be better than to go on.
+  Deadline deadline;          //!< When to stop, with nothing.
   bool samePixels = false;    //!< Whether pixels and print are those of the fit before: what is sorted may serve again.
 };
 

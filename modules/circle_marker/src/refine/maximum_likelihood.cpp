@@ -257,6 +257,9 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
   }
   FitState state = FitState::GOES_ON;
   for (int iteration = 0; iteration < settings.mostIterations && state == FitState::GOES_ON; ++iteration) {
+    if (settings.deadline.hasPassed()) { // a step on the pixels of a large marker takes up to a millisecond
+      return std::nullopt;
+    }
     state = fit.step();
   }
   return state == FitState::SINGULAR ? std::nullopt : fit.finish();

@@ -154,12 +154,14 @@ ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera)
 }
 
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                   const Recognition &marker, bool refine, MeasureMemory &memory)
+                                   const Recognition &marker, bool refine, MeasureMemory &memory,
+                                   const Deadline &deadline)
 {
   MarkerPattern pattern = patternOf(marker.family, marker.code.id, marker.family.getLayout().ringInner);
   FitSettings settings;
   settings.spinIsKnown = pattern.sectors > 0;
   settings.poseError = fineError;
+  settings.deadline = deadline;
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
   const MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
   if (!marker.seen) { // what covers a marker looks like the edge of a shadow
@@ -183,7 +185,8 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     }
   }
   const Few<FittedPose> &fits = ranked.fits;
-  if (fits.empty() || !isExplained(fits[0], view, pattern.sectors > 0, refine)) {
+  // The fit that was stopped may be that of the better pose.
+  if (fits.empty() || deadline.hasPassed() || !isExplained(fits[0], view, pattern.sectors > 0, refine)) {
     return std::nullopt;
   }
 

@@ -63,10 +63,12 @@ struct MeasureMemory
   \param marker : The marker, with the poses to start from.
   \param refine : Whether to move the poses, or only to evaluate them.
   \param memory : Working memory.
+  \param deadline : When to stop, with nothing.
   \return Nothing if the image does not look like the marker after all.
 */
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                   const Recognition &marker, bool refine, MeasureMemory &memory);
+                                   const Recognition &marker, bool refine, MeasureMemory &memory,
+                                   const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
