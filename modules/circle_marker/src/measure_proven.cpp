@@ -76,27 +76,38 @@ std::optional<Recognition> challenger(const vpImage<unsigned char> &I, const Cam
   const bool isAsGood = other && other->first.noise < clearlyMore * measurement.first.noise;
   return isAsGood ? std::make_optional(std::move(marker)) : std::nullopt;
 }
-} // namespace
 
-bool wantsProof(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
+// Whether the image looks like the marker where that was found.
+bool isLikeAtStart(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                   MeasureMemory &memory, const Deadline &deadline)
 {
-  return family.isCoded() && sectorLength(outline, family) < longSector;
+  const auto start = measure(I, camera, marker, false, memory, deadline);
+  return start && start->first.correlation >= leastCorrelationAtStart;
 }
 
-bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
+// Another code for a marker whose own was not proven. A wrong code draws the pose to where it fits: here the sectors
+// are as dark as they were read, and the code is the likeliest at the pose to which they lead. Whether there is one.
+bool setLikeliest(const vpImage<unsigned char> &I, const CameraModel &camera, Recognition &marker,
+                  MeasureMemory &memory, const Deadline &deadline)
 {
-  return family.isCoded() && sectorLength(outline, family) < shortSector;
-}
-
-std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
-                                         Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
-{
-  if (!marker.isCertain) {
-    const auto start = measure(I, camera, marker, false, memory, deadline);
-    if (!start || start->first.correlation < leastCorrelationAtStart) {
-      return std::nullopt;
-    }
+  const ImageFrame frame = frameOf(marker.poses[0], camera);
+  const auto measurement = measure(I, camera, marker, true, memory, deadline);
+  marker.darkness.reset();
+  if (!measurement || measurement->first.correlation < leastCorrelationMeasured) {
+    return false;
   }
+  const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family, memory.code, deadline);
+  if (!code || code->best.id < 0) {
+    return false;
+  }
+  setCode(code->best, *measurement, marker);
+  return true;
+}
+
+// The marker's measurement, if a code is proven by it, which may be another one than was read.
+std::optional<Measurement> measureWithProof(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
+                                            Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
+{
   for (int round = 0; round < mostRounds; ++round) {
     const ImageFrame frame = frameOf(marker.poses[0], camera);
     auto measurement = measure(I, camera, marker, true, memory, deadline);
@@ -143,6 +154,38 @@ std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const 
     marker.isCertain = false;
   }
   return std::nullopt;
+}
+} // namespace
+
+bool wantsProof(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
+{
+  return family.isCoded() && sectorLength(outline, family) < longSector;
+}
+
+bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
+{
+  return family.isCoded() && sectorLength(outline, family) < shortSector;
+}
+
+std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
+                                         Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
+{
+  if (marker.isCertain) {
+    return measureWithProof(I, camera, noise, marker, memory, deadline);
+  }
+  const Recognition asRead = marker;
+  marker.darkness.reset();
+  std::optional<Measurement> measurement;
+  if (isLikeAtStart(I, camera, marker, memory, deadline)) {
+    measurement = measureWithProof(I, camera, noise, marker, memory, deadline);
+  }
+  if (!measurement && asRead.darkness && isLikeAtStart(I, camera, asRead, memory, deadline)) {
+    marker = asRead;
+    if (setLikeliest(I, camera, marker, memory, deadline)) {
+      measurement = measureWithProof(I, camera, noise, marker, memory, deadline);
+    }
+  }
+  return measurement;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -80,7 +80,7 @@ Error compare(const MarkerScene &scene, const vpImage<double> &truth, const Blur
   const MarkerPattern pattern =
       patternOf(scene.family, scene.family.isCoded() ? 0 : -1, scene.family.getLayout().ringInner);
   MarkerPattern printed = pattern;
-  printed.word = scene.word;
+  printed.setWord(scene.word);
   Error error;
   for (unsigned int v = 0; v < side; ++v) {
     for (unsigned int u = 0; u < side; ++u) {

@@ -44,7 +44,7 @@ struct Case
         pattern(patternOf(scene.family, scene.family.isCoded() ? 0 : -1, scene.family.getLayout().ringInner)),
         truth(expose(side, side, blur, asDarkness(scene), 8))
   {
-    pattern.word = scene.word;
+    pattern.setWord(scene.word);
     photometry.blur.sigma = std::sqrt(blur * blur + 1. / 12.);
     const CameraModel camera(scene.camera());
     for (unsigned int v = 0; v < side; ++v) {

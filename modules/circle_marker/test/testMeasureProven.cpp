@@ -19,6 +19,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "testRoomTools.h"
 
 using namespace circle_marker;
@@ -123,6 +125,42 @@ TEST(MeasureProven, AnotherReadingIsPutRight)
     }
   }
   EXPECT_GE(count, 16);
+}
+
+// A wrong code draws the pose with it, the more so where the start is wrong, too; the sectors as they were read do not.
+TEST(MeasureProven, SectorsAsTheyWereReadLeadToTheCode)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  int count = 0;
+  int countWithout = 0;
+  for (int i = 0; i < 40; ++i) {
+    const int id = static_cast<int>(random() % family.getNbIds());
+    const MarkerScene scene = smallScene(random, family, id);
+    const vpImage<unsigned char> I = imageOf(scene, random);
+    Recognition marker = recognisedAs(scene, (id + 1) % static_cast<int>(family.getNbIds()), 0, false);
+    for (MarkerPlane &pose : marker.poses) {
+      pose.center *= uniform(random, 0.95, 1.05);
+      const Eigen::Vector3d axis = pose.rotation.col(0);
+      pose.rotation = Eigen::AngleAxisd(uniform(random, -0.1, 0.1), axis).toRotationMatrix() * pose.rotation;
+    }
+    Recognition without = marker;
+    countWithout += prove(I, scene, without) ? 1 : 0;
+    marker.darkness.emplace();
+    for (unsigned int k = 0; k < family.getNbSectors(); ++k) {
+      const bool isBlack = (scene.word >> (family.getNbSectors() - 1 - k) & 1U) != 0;
+      (*marker.darkness)[k] = static_cast<float>((isBlack ? 0.7 : 0.3) + uniform(random, -0.3, 0.3));
+    }
+    if (prove(I, scene, marker)) {
+      ++count;
+      EXPECT_EQ(marker.code.id, id) << i;
+      EXPECT_FALSE(marker.darkness);
+    }
+  }
+  EXPECT_GE(count, 36);
+  EXPECT_LT(countWithout, count);
+  RecordProperty("without", countWithout);
+  RecordProperty("with", count);
 }
 
 // A ring around sectors that are no codeword, nor near one; and around none.

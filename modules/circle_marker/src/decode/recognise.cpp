@@ -120,6 +120,19 @@ Judged<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraM
   return markerOf(poses, family, codes, best);
 }
 
+// The darkness of the sectors as they were read, in the order of a code that starts at an angle of the plane.
+std::array<float, mostSectors> darknessOf(const SectorReading &reading, double spin)
+{
+  const double rotation = (spin - reading.phase) * reading.sectors / (2. * M_PI);
+  const auto first = static_cast<unsigned int>(std::lround(rotation) + 2 * static_cast<long>(reading.sectors));
+  std::array<float, mostSectors> darkness{};
+  for (unsigned int k = 0; k < reading.sectors; ++k) {
+    const double soft = reading.soft[(first + k) % reading.sectors];
+    darkness[k] = static_cast<float>(std::clamp(1. - reading.middle + 0.5 * reading.contrast * soft, 0., 1.));
+  }
+  return darkness;
+}
+
 // What was found through a blur, in the frame that the code fixes.
 Recognition blurredMarkerOf(const BlurredReading &reading, const vpCircleMarkerFamily &family)
 {
@@ -247,10 +260,11 @@ std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, c
   if (!isAsymmetricAsCode(I, outline.ellipse, noise) || (!outline.isByLine && !hasDarkRing(I, camera, poses[0]))) {
     return std::nullopt;
   }
+  std::array<Judged<SectorReading>, 2> sectors = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
   for (std::size_t i = 0; i < 2; ++i) {
-    const Judged<SectorReading> sectors = readSectors(I, camera, poses[i], family);
-    const auto closest = sectors ? closestCode(*sectors, family, outline.isByLine) : std::nullopt;
+    sectors[i] = readSectors(I, camera, poses[i], family);
+    const auto closest = sectors[i] ? closestCode(*sectors[i], family, outline.isByLine) : std::nullopt;
     if (closest) {
       codes[i] = *closest;
     }
@@ -261,6 +275,7 @@ std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, c
   }
   Recognition result = markerOf(poses, family, codes, best);
   result.isCertain = false;
+  result.darkness = darknessOf(*sectors[best], codes[best]->spin);
   return result;
 }
 

@@ -106,13 +106,13 @@ LineModel::LineModel(const MarkerPlane &plane, const MarkerPattern &pattern, con
   const int sectors = static_cast<int>(pattern.sectors);
   if (sectors > 0) {
     m_sectorAngle = 6.2831853f / static_cast<float>(sectors);
-    m_first = pattern.isBlack(-1) ? 1.f : 0.f;
+    m_first = pattern.darknessOf(-1);
   }
   for (int k = 0; k < sectors; ++k) {
-    if (pattern.isBlack(k) != pattern.isBlack(k - 1)) {
+    if (pattern.darknessOf(k) != pattern.darknessOf(k - 1)) {
       const Eigen::Vector2d &across = pattern.acrossBorder(k);
       m_borders[m_borderCount++] = {static_cast<float>(across.y()), static_cast<float>(-across.x()),
-                                    pattern.isBlack(k) ? 1.f : -1.f, 2 * k >= sectors};
+                                    pattern.darknessOf(k) - pattern.darknessOf(k - 1), 2 * k >= sectors};
     }
   }
 }

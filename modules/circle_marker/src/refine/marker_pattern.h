@@ -45,11 +45,22 @@ struct MarkerPattern
   std::array<RadialEdge, 2> track{}; //!< Outer and inner edge of the code track.
   PaperEnds paper{};                 //!< Where the white paper around it ends at the earliest.
   unsigned int sectors = 0;          //!< Number of sectors of the track; 0 without a code.
-  std::uint32_t word = 0;            //!< Black sectors; sector 0 is the most significant of the bits.
+  std::array<float, 31>
+      darkness{}; //!< Of each sector: 0 is white, 1 is black; between them where it is as it was read.
   //! For each sector, the unit vector across its first border, toward the sector.
   std::array<Eigen::Vector2d, 31> across{};
 
-  bool isBlack(int sector) const { return (word >> (sectors - 1 - wrap(sector))) & 1U; }
+  //! Black sectors; sector 0 is the most significant of the bits.
+  void setWord(std::uint32_t word)
+  {
+    for (unsigned int k = 0; k < sectors; ++k) {
+      darkness[k] = (word >> (sectors - 1 - k)) & 1U ? 1.f : 0.f;
+    }
+  }
+
+  float darknessOf(int sector) const { return darkness[wrap(sector)]; }
+
+  bool isBlack(int sector) const { return darknessOf(sector) > 0.5f; }
 
   const Eigen::Vector2d &acrossBorder(int sector) const { return across[wrap(sector)]; }
 
@@ -91,7 +102,7 @@ inline MarkerPattern patternOf(const vpCircleMarkerFamily &family, int id, doubl
   if (family.isCoded()) {
     pattern.track = {RadialEdge{family.getLayout().codeOuter, 1.}, RadialEdge{family.getLayout().codeInner, -1.}};
     pattern.sectors = family.getNbSectors();
-    pattern.word = family.getCodeword(id);
+    pattern.setWord(family.getCodeword(id));
     for (unsigned int k = 0; k < pattern.sectors; ++k) {
       const double angle = 2. * M_PI * k / pattern.sectors;
       pattern.across[k] = Eigen::Vector2d(-std::sin(angle), std::cos(angle));

@@ -60,14 +60,14 @@ public:
       view.acrossX = static_cast<float>(pattern.acrossBorder(nearest).x());
       view.acrossY = static_cast<float>(pattern.acrossBorder(nearest).y());
       const int first = nearest - borders / 2;
-      float before = pattern.isBlack(first - 1) ? 1.f : 0.f;
+      float before = pattern.darknessOf(first - 1);
       view.base = before;
       for (int k = 0; k < borders; ++k) {
-        const float after = pattern.isBlack(first + k) ? 1.f : 0.f;
+        const float after = pattern.darknessOf(first + k);
         view.change[static_cast<std::size_t>(k)] = after - before;
         before = after;
       }
-      m_isEdge[sector] = pattern.isBlack(nearest) != pattern.isBlack(nearest - 1) ? 1.f : 0.f;
+      m_isEdge[sector] = pattern.darknessOf(nearest) != pattern.darknessOf(nearest - 1) ? 1.f : 0.f;
       m_isEdge[sector + pattern.sectors] = m_isEdge[sector];
     }
     m_last = std::max(0, 2 * static_cast<int>(pattern.sectors) - 1);
