@@ -104,6 +104,25 @@ bool setLikeliest(const vpImage<unsigned char> &I, const CameraModel &camera, Re
   return true;
 }
 
+// The measurement of a marker whose code is proven: if its steps were too few in doubt, it goes on from where it is.
+Measurement settled(const vpImage<unsigned char> &I, const CameraModel &camera, const Measurement &measurement,
+                    Recognition marker, MeasureMemory &memory, const Deadline &deadline)
+{
+  if (measurement.first.isSettled) {
+    return measurement;
+  }
+  marker.poses[0] = measurement.first.plane;
+  if (measurement.second) {
+    marker.poses[1] = measurement.second->plane;
+  }
+  for (MarkerPlane &pose : marker.poses) {
+    pose.bend = SheetBend();
+  }
+  marker.isCertain = true;
+  const auto again = measure(I, camera, marker, true, memory, deadline);
+  return again ? *again : measurement;
+}
+
 // The marker's measurement, if a code is proven by it, which may be another one than was read.
 std::optional<Measurement> measureWithProof(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
                                             Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
@@ -135,14 +154,14 @@ std::optional<Measurement> measureWithProof(const vpImage<unsigned char> &I, con
         return std::nullopt;
       }
       if (marker.isCertain || code->odds > clearOdds) {
-        return measurement;
+        return settled(I, camera, *measurement, marker, memory, deadline);
       }
       auto other = challenger(I, camera, *code, *measurement, marker, memory, deadline);
       if (deadline.hasPassed()) {
         return std::nullopt;
       }
       if (!other) {
-        return measurement;
+        return settled(I, camera, *measurement, marker, memory, deadline);
       }
       marker = std::move(*other);
       continue;

@@ -30,8 +30,6 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 namespace {
-// Below this damping a step is as long as the equations want it: only then a short one means convergence.
-constexpr double freeDamping = 0.1;
 // The damping of the first step after one that failed. The steps are not damped otherwise: in the marker's frame the
 // depth is a difference of well known things, and the least damping of these holds it back.
 constexpr double leastDamping = 1e-3;
@@ -57,7 +55,7 @@ enum class FitState
 struct Trial
 {
   ParameterVector step;
-  double size = 0.; // standard deviations
+  double size = 0.; // standard deviations, of the step without damping
   MarkerPlane plane;
   Photometry photometry;
   bool isStale = false; // whether the pixels have to be prepared again there
@@ -147,7 +145,9 @@ private:
     if (!trial.step.allFinite()) {
       return std::nullopt;
     }
-    trial.size = std::sqrt(trial.step.dot(m_equations.matrix * trial.step)) / m_noise;
+    const ParameterVector whole =
+        m_damping > 0. ? solveEquations(m_equations.matrix, m_equations.right, m_equations.used) : trial.step;
+    trial.size = std::sqrt(whole.dot(m_equations.matrix * whole)) / m_noise;
     trial.plane = m_result.plane;
     trial.photometry = m_result.photometry;
     applyStep(biweightStep * trial.step, trial.plane, trial.photometry);
@@ -160,8 +160,7 @@ private:
   {
     const double bend =
         outlineMotion(m_result.plane, trial.plane) / (m_memory.blocks.reference.unit * trial.photometry.blur.sigma);
-    return !trial.isStale && m_descent.isDown() && m_damping < freeDamping &&
-           trial.size * (stepError + bend) < m_settings.convergence;
+    return !trial.isStale && m_descent.isDown() && trial.size * (stepError + bend) < m_settings.convergence;
   }
 
   // Takes the last step, without looking; unless the pixels are to be prepared better for it.
