@@ -173,6 +173,38 @@ TEST(Measure, WithoutRefinementThePosesStay)
   }
 }
 
+// Gamma, the spread of ink and the depth of a small marker nearly make up for each other. Along that valley damped
+// steps are short, wherever they are: they are no sign of its end.
+TEST(Measure, WhatIsSettledIsAtTheMinimum)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::BCH31);
+  constexpr int count = 200;
+  MeasureMemory memory;
+  int settled = 0;
+  int above = 0;
+  double worst = 0.;
+  for (int i = 0; i < count; ++i) {
+    const int id = static_cast<int>(random() % family.getNbIds());
+    const double tilt = uniform(random, 0.3, 0.9);
+    const MarkerScene scene = markerScene(random, family, id, uniform(random, 17., 24.), tilt, side);
+    const vpImage<unsigned char> I = digitise(expose(side, side, uniform(random, 0.8, 1.2), scene), 1., random);
+    const auto result = measure(I, CameraModel(scene.camera()), recognised(scene, id, false), true, memory);
+    if (result && result->first.isSettled) {
+      const FittedPose &fit = result->first;
+      const double left = std::sqrt(fit.decrement) / fit.noise; // standard deviations
+      ++settled;
+      above += left > 1.5 ? 1 : 0;
+      worst = std::max(worst, left);
+    }
+  }
+  RecordProperty("settled", settled);
+  RecordProperty("above", above);
+  RecordProperty("worst", std::to_string(worst));
+  EXPECT_GT(settled, 0.9 * count);
+  EXPECT_EQ(above, 0);
+}
+
 // A fit that is cut short may be that of the right pose, and the other one be all that is left.
 TEST(Measure, NothingAfterTheDeadline)
 {

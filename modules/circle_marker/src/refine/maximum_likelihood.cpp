@@ -43,6 +43,9 @@ constexpr double biweightStep = 0.915 / 0.762;
 // much as it moves them, in units of their blur.
 constexpr double stepError = 0.2;
 
+// Noise that a fit starts with is that of a coarser one; it is too large if less than this share of it is left.
+constexpr double overestimated = 0.8;
+
 // How a fit is after a step.
 enum class FitState
 {
@@ -169,11 +172,19 @@ private:
     m_result.plane = trial.plane;
     m_result.photometry = trial.photometry;
     m_result.photometry.unevenShare = m_likelihood.unevenShareOfResiduals(m_noise);
-    if (!m_preparation.isRough(m_result.plane, m_result.photometry)) {
+    const bool isRough = m_preparation.isRough(m_result.plane, m_result.photometry);
+    const double noise = m_likelihood.spreadOfResiduals().median;
+    if (!isRough && noise < overestimated * m_noise) { // steps are longer than they seemed, and outliers count too much
+      m_noise = noise;
+      linearise(m_result.plane, m_result.photometry);
+      return FitState::GOES_ON;
+    }
+    if (!isRough) {
       m_lastStep = trial.step;
       m_result.isSettled = true;
       return FitState::ENDED;
     }
+    m_noise = std::min(m_noise, noise);
     m_preparation.prepare(m_result.plane, m_result.photometry, m_noise);
     linearise(m_result.plane, m_result.photometry);
     return FitState::GOES_ON;

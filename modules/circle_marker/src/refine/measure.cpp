@@ -142,7 +142,9 @@ bool isExplained(const FittedPose &best, const MarkerInImage &view, bool hasCode
     return best.correlation >= leastCorrelationUnrefined && best.inliers >= leastInliers;
   }
   const double least = hasCode ? leastCorrelation : leastCorrelationWithoutCode;
-  return best.correlation >= least && best.inliers >= leastInliers && isPlausible(best, view);
+  // The fit to the sheet around a ring, as the ring, needs a gamma that no camera has; of small codes gamma is not known.
+  const bool isLikeCamera = hasCode || std::abs(std::log(best.photometry.gamma)) < mostLogGamma;
+  return best.correlation >= least && best.inliers >= leastInliers && isLikeCamera && isPlausible(best, view);
 }
 
 // Half of a robust sum of squares, in units of the noise's variance: a negative log-likelihood.
