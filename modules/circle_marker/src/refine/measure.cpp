@@ -142,7 +142,8 @@ bool isExplained(const FittedPose &best, const MarkerInImage &view, bool hasCode
     return best.correlation >= leastCorrelationUnrefined && best.inliers >= leastInliers;
   }
   const double least = hasCode ? leastCorrelation : leastCorrelationWithoutCode;
-  // The fit to the sheet around a ring, as the ring, needs a gamma that no camera has; of small codes gamma is not known.
+  // The fit to the sheet around a ring, as the ring, needs a gamma that no camera has; of small codes gamma is not
+  // known.
   const bool isLikeCamera = hasCode || std::abs(std::log(best.photometry.gamma)) < mostLogGamma;
   return best.correlation >= least && best.inliers >= leastInliers && isLikeCamera && isPlausible(best, view);
 }
