@@ -48,6 +48,8 @@ constexpr int mostIterationsInDoubt = 12;
 constexpr double leastCorrelationInDoubt = 0.75;
 // A ring whose edges are explained only by a gamma beyond that of cameras is another ring; here, its logarithm.
 constexpr double mostLogGamma = 1.;
+// Unless it correlates by this: the sheet around a ring was taken for it with 0.98.
+constexpr double leastCorrelationWithAnyGamma = 0.99;
 // What is no marker, teeth on a ring, stripes, is explained by ink that has run by millimetres, by a sheet that is bent
 // as if around a bucket, or by a light that ends on the marker: the spread in outer radii, and the coefficients of
 // SheetBend.
@@ -142,9 +144,10 @@ bool isExplained(const FittedPose &best, const MarkerInImage &view, bool hasCode
     return best.correlation >= leastCorrelationUnrefined && best.inliers >= leastInliers;
   }
   const double least = hasCode ? leastCorrelation : leastCorrelationWithoutCode;
-  // The fit to the sheet around a ring, as the ring, needs a gamma that no camera has; of small codes gamma is not
-  // known.
-  const bool isLikeCamera = hasCode || std::abs(std::log(best.photometry.gamma)) < mostLogGamma;
+  // The fit of a ring to the sheet around it needs a gamma that no camera has. So does one with another ratio of radii
+  // than its own, but that one explains the image; and of small codes the gamma is hardly known.
+  const bool isLikeCamera = hasCode || std::abs(std::log(best.photometry.gamma)) < mostLogGamma ||
+                            best.correlation >= leastCorrelationWithAnyGamma;
   return best.correlation >= least && best.inliers >= leastInliers && isLikeCamera && isPlausible(best, view);
 }
 
