@@ -46,18 +46,26 @@ double sectorLength(const EllipseParameters &outline, const vpCircleMarkerFamily
   return M_PI * (layout.codeInner + layout.codeOuter) * outline.b / family.getNbSectors();
 }
 
-// Sets another code, at the measured poses.
-void setCode(const PlacedCode &code, const Measurement &measurement, Recognition &marker)
+// Sets the measured poses, as a start.
+void startAt(const Measurement &measurement, Recognition &marker)
 {
-  marker.code.id = code.id;
-  marker.code.spin = code.spin;
-  marker.code.hamming = 0; // no sector was read one by one, so none was corrected
   marker.poses[0] = measurement.first.plane;
   if (measurement.second) {
     marker.poses[1] = measurement.second->plane;
   }
   for (MarkerPlane &pose : marker.poses) {
     pose.bend = SheetBend();
+  }
+}
+
+// Sets another code, at the measured poses.
+void setCode(const PlacedCode &code, const Measurement &measurement, Recognition &marker)
+{
+  marker.code.id = code.id;
+  marker.code.spin = code.spin;
+  marker.code.hamming = 0; // no sector was read one by one, so none was corrected
+  startAt(measurement, marker);
+  for (MarkerPlane &pose : marker.poses) {
     pose.spin(code.spin);
   }
 }
@@ -104,23 +112,23 @@ bool setLikeliest(const vpImage<unsigned char> &I, const CameraModel &camera, Re
   return true;
 }
 
-// The measurement of a marker whose code is proven: if its steps were too few in doubt, it goes on from where it is.
+// The measurement of a marker whose code is proven: if its steps were too few in doubt, it goes on from where it is,
+// and so do the marker's poses.
 Measurement settled(const vpImage<unsigned char> &I, const CameraModel &camera, const Measurement &measurement,
-                    Recognition marker, MeasureMemory &memory, const Deadline &deadline)
+                    Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
 {
   if (measurement.first.isSettled) {
     return measurement;
   }
-  marker.poses[0] = measurement.first.plane;
-  if (measurement.second) {
-    marker.poses[1] = measurement.second->plane;
+  Recognition proven = marker;
+  proven.isCertain = true;
+  startAt(measurement, proven);
+  const auto again = measure(I, camera, proven, true, memory, deadline);
+  if (!again) {
+    return measurement;
   }
-  for (MarkerPlane &pose : marker.poses) {
-    pose.bend = SheetBend();
-  }
-  marker.isCertain = true;
-  const auto again = measure(I, camera, marker, true, memory, deadline);
-  return again ? *again : measurement;
+  marker.poses = proven.poses;
+  return *again;
 }
 
 // The marker's measurement, if a code is proven by it, which may be another one than was read.

@@ -45,12 +45,12 @@ struct MarkerPattern
   std::array<RadialEdge, 2> track{}; //!< Outer and inner edge of the code track.
   PaperEnds paper{};                 //!< Where the white paper around it ends at the earliest.
   unsigned int sectors = 0;          //!< Number of sectors of the track; 0 without a code.
-  std::array<float, 31>
-      darkness{}; //!< Of each sector: 0 is white, 1 is black; between them where it is as it was read.
+  //! Of each sector: 0 is white, 1 is black, between them where it is as it was read.
+  std::array<float, 31> darkness{};
   //! For each sector, the unit vector across its first border, toward the sector.
   std::array<Eigen::Vector2d, 31> across{};
 
-  //! Black sectors; sector 0 is the most significant of the bits.
+  //! Sets black sectors where a word has ones; sector 0 is the most significant of its bits.
   void setWord(std::uint32_t word)
   {
     for (unsigned int k = 0; k < sectors; ++k) {
