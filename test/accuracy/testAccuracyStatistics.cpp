@@ -123,8 +123,8 @@ TEST(Summary, LeastMeansByTheBound)
   facing.tilt = 0.5; // less than the bound of its normal
   Record lost = record;
   lost.found = 0.;
-  EXPECT_NEAR(summaryOf({record, lost}).positionBound, 3. * 0.797885, 1e-6);
-  EXPECT_NEAR(summaryOf({record, lost}).normalBound, 0.75 * 0.797885 + 0.25 * 20., 1e-6);
+  EXPECT_NEAR(summaryOf({record, lost}).positionBound, 3. * 0.7978845608, 1e-8);
+  EXPECT_NEAR(summaryOf({record, lost}).normalBound, 0.75 * 0.7978845608 + 0.25 * 20., 1e-8);
   EXPECT_NEAR(summaryOf({facing}).normalBound, 0.75 * 0.5 + 0.25 * 1., 1e-12);
 }
 
