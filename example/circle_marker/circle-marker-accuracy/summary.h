@@ -62,8 +62,7 @@ struct Summary
   double position = none, positionMedian = none;     //!< |C - eC| over all frames found, mm.
   double normal = none, normalMedian = none;         //!< Angle of the normal over all frames found, degrees.
   double positionSpread = none, normalSpread = none; //!< Standard deviations of these two.
-  double positionBound = none,
-         normalBound = none;  //!< The least these two means can be, on the average; see summaryOf().
+  double positionBound = none, normalBound = none;   //!< The least these two means can be: see summaryOf().
   double rotation = none;     //!< Root mean square of the rotation's error, degrees; 6 degrees of freedom.
   double milliseconds = none; //!< Median CPU time of an image.
 

@@ -351,8 +351,8 @@ struct Search
     return reason == EllipseReject::NONE;
   }
 
-  // Whether a cap is inside of an outline that is mostly found. All outlines are gone through, so each cap asks only when
-  // it is one of a pair, and only for those that it has not asked for yet.
+  // Whether a cap is inside of an outline that is mostly found. All outlines are gone through, so each cap asks only
+  // when it is one of a pair, and only for those that it has not asked for yet.
   bool isInside(std::size_t cap) const
   {
     EllipseMemory::Around &around = memory.around[cap];
