@@ -300,7 +300,8 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
     return std::nullopt;
   }
   const double inner = family.getLayout().ringInner;
-  return Recognition{vpCircleMarkerFamily::ring(inner), CodeReading(), inner, poses, most, true, std::nullopt, std::nullopt};
+  return Recognition{
+      vpCircleMarkerFamily::ring(inner), CodeReading(), inner, poses, most, true, std::nullopt, std::nullopt};
 }
 
 Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
