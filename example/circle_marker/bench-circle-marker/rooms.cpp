@@ -19,6 +19,7 @@
 
 #if defined(CIRCLE_MARKER_HAVE_INTERNALS)
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -120,6 +121,33 @@ void measureAll(Visit &visit)
     benchmark::DoNotOptimize(measured);
   }
 }
+
+// The refinement of one marker, as the detector does it once the outline is chosen, the largest of those that are read:
+// the mean over some of the same diameter, pixels, tilted by up to 60 degrees.
+void addMeasurement(double diameter)
+{
+  constexpr std::size_t frames = 20;
+  const std::string name = "room/measure/" + std::to_string(static_cast<int>(diameter)) + "-pixels";
+  const auto visits = std::make_shared<std::vector<std::unique_ptr<Visit>>>();
+  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State &state) {
+    SceneOptions options;
+    options.leastDiameter = diameter;
+    options.greatestDiameter = diameter;
+    for (options.seed = visits->size() + 1; options.seed <= frames; ++options.seed) {
+      visits->push_back(std::make_unique<Visit>(options));
+    }
+    std::size_t frame = 0;
+    for (auto _ : state) {
+      Visit &visit = *(*visits)[frame++ % frames];
+      if (!visit.markers.empty()) {
+        auto measured = measure(visit.scene.image, visit.camera, visit.markers.front(), true, visit.measuring);
+        benchmark::DoNotOptimize(measured);
+      }
+    }
+    state.counters["markers"] = static_cast<double>(
+        std::count_if(visits->begin(), visits->end(), [](const auto &visit) { return !visit->markers.empty(); }));
+  })->Unit(benchmark::kMillisecond);
+}
 } // namespace
 
 void registerRooms()
@@ -136,6 +164,9 @@ void registerRooms()
     add("outlines/" + name, visit, options, outlines);
     add("recognise/" + name, visit, options, recogniseAll);
     add("measure/" + name, visit, options, measureAll);
+  }
+  for (const double diameter : {20., 50., 100., 200., 400.}) {
+    addMeasurement(diameter);
   }
 }
 } // namespace bench

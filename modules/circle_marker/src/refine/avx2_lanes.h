@@ -30,6 +30,9 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace wide_lanes {
+/*! Number of pixels that are treated together. */
+constexpr int laneCount = 8;
+
 class alignas(32) Lanes
 {
 public:
@@ -75,6 +78,26 @@ public:
   Lanes exp() const;
   Lanes log() const;
 
+  /*! The nearest whole numbers. */
+  Lanes rounded() const { return _mm256_round_ps(m_value, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+
+  /*! Times 2^n, n whole numbers from -126 to 127. */
+  Lanes scaledBy(const Lanes &n) const
+  {
+    const __m256i exponent = _mm256_slli_epi32(_mm256_add_epi32(_mm256_cvtps_epi32(n.m_value), _mm256_set1_epi32(127)), 23);
+    return _mm256_mul_ps(m_value, _mm256_castsi256_ps(exponent));
+  }
+
+  /*! As 2^n m, with m in [sqrt(1/2), sqrt(2)]; of positive numbers that are not denormal. */
+  void split(Lanes &n, Lanes &m) const
+  {
+    const __m256i rootOfHalf = _mm256_set1_epi32(0x3f3504f3);
+    const __m256i bits = _mm256_sub_epi32(_mm256_castps_si256(m_value), rootOfHalf);
+    n = _mm256_cvtepi32_ps(_mm256_srai_epi32(bits, 23));
+    const __m256i mantissa = _mm256_and_si256(bits, _mm256_set1_epi32(0x007fffff));
+    m = _mm256_castsi256_ps(_mm256_add_epi32(mantissa, rootOfHalf));
+  }
+
   float sum() const
   {
     return fold([](const __m128 &a, const __m128 &b) { return _mm_add_ps(a, b); });
@@ -116,39 +139,6 @@ inline Lanes operator/(const Lanes &a, const Lanes &b)
 {
   return _mm256_div_ps(a.value(), b.value());
 }
-inline Lanes operator+(const Lanes &a, float b)
-{
-  return a + Lanes::Constant(b);
-}
-inline Lanes operator-(const Lanes &a, float b)
-{
-  return a - Lanes::Constant(b);
-}
-inline Lanes operator*(const Lanes &a, float b)
-{
-  return a * Lanes::Constant(b);
-}
-inline Lanes operator/(const Lanes &a, float b)
-{
-  return a * Lanes::Constant(1.f / b);
-}
-inline Lanes operator+(float a, const Lanes &b)
-{
-  return Lanes::Constant(a) + b;
-}
-inline Lanes operator-(float a, const Lanes &b)
-{
-  return Lanes::Constant(a) - b;
-}
-inline Lanes operator*(float a, const Lanes &b)
-{
-  return Lanes::Constant(a) * b;
-}
-inline Lanes operator/(float a, const Lanes &b)
-{
-  return Lanes::Constant(a) / b;
-}
-
 /*! The numbers valueOf(0), valueOf(1) and so on: put together in registers, since a register that is loaded from where
     eight single numbers were just stored has to wait for all of them. */
 template <class ValueOf> inline Lanes lanesOf(const ValueOf &valueOf)
@@ -178,38 +168,6 @@ inline void addEach(double *numbers, const Lanes &lanes)
   };
   add(numbers, _mm256_castps256_ps128(lanes.value()));
   add(numbers + 4, _mm256_extractf128_ps(lanes.value(), 1));
-}
-
-// 2^n e^r with |r| < log(2) / 2: Taylor's series of e^r up to r^7 / 7!, whose next term is below 6e-9.
-inline Lanes Lanes::exp() const
-{
-  const Lanes x = min(88.f).max(-87.f);
-  const __m256 n = _mm256_round_ps((x * 1.44269504f).m_value, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
-  // log(2) in two parts, so that the product with the first is exact.
-  const Lanes r = x - Lanes(n) * 0.693359375f - Lanes(n) * -2.12194440e-4f;
-  Lanes sum = 1.f / 720.f + r * (1.f / 5040.f);
-  for (const float factor : {1.f / 120.f, 1.f / 24.f, 1.f / 6.f, 0.5f, 1.f, 1.f}) {
-    sum = factor + r * sum;
-  }
-  const __m256i exponent = _mm256_slli_epi32(_mm256_add_epi32(_mm256_cvtps_epi32(n), _mm256_set1_epi32(127)), 23);
-  return sum * Lanes(_mm256_castsi256_ps(exponent));
-}
-// Of positive numbers that are not denormal: 2^n m with m in [sqrt(1/2), sqrt(2)], and with s = (m - 1) / (m + 1) the
-// series log(m) = 2 (s + s^3 / 3 + ...) up to s^9, whose next term is below 1e-9.
-inline Lanes Lanes::log() const
-{
-  const __m256i rootOfHalf = _mm256_set1_epi32(0x3f3504f3);
-  const __m256i bits = _mm256_sub_epi32(_mm256_castps_si256(m_value), rootOfHalf);
-  const Lanes n = _mm256_cvtepi32_ps(_mm256_srai_epi32(bits, 23));
-  const __m256i mantissa = _mm256_and_si256(bits, _mm256_set1_epi32(0x007fffff));
-  const Lanes m = _mm256_castsi256_ps(_mm256_add_epi32(mantissa, rootOfHalf));
-  const Lanes s = (m - 1.f) / (m + 1.f);
-  const Lanes squared = s.square();
-  Lanes sum = Constant(2.f / 9.f);
-  for (const float factor : {2.f / 7.f, 2.f / 5.f, 2.f / 3.f, 2.f}) {
-    sum = factor + squared * sum;
-  }
-  return s * sum + n * -2.12194440e-4f + n * 0.693359375f;
 }
 } // namespace wide_lanes
 } // namespace circle_marker

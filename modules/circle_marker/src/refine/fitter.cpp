@@ -17,20 +17,33 @@
 
 #include "refine/fitter.h"
 
-#include "refine/lanes_fitter.h"
+#include "refine/selecting_fitter.h"
 #include "refine/wide_lanes.h"
+#include "refine/widest_lanes.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 std::unique_ptr<Fitter> makeFitter(Instructions instructions)
 {
-  return instructions == Instructions::WIDE ? makeWideFitter() : std::make_unique<LanesFitter>();
+  switch (instructions) {
+  case Instructions::WIDEST:
+    return makeWidestFitter();
+  case Instructions::WIDE:
+    return makeWideFitter();
+  case Instructions::PLAIN:
+    break;
+  }
+  return std::make_unique<SelectingFitter>();
 }
 
 std::unique_ptr<Fitter> makeFitter()
 {
-  std::unique_ptr<Fitter> wide = makeFitter(Instructions::WIDE);
-  return wide ? std::move(wide) : makeFitter(Instructions::PLAIN);
+  for (const Instructions instructions : {Instructions::WIDEST, Instructions::WIDE}) {
+    if (std::unique_ptr<Fitter> fitter = makeFitter(instructions)) {
+      return fitter;
+    }
+  }
+  return makeFitter(Instructions::PLAIN);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -62,7 +62,8 @@ public:
 enum class Instructions
 {
   PLAIN, //!< What every processor of the kind has.
-  WIDE   //!< AVX2 and FMA.
+  WIDE,  //!< AVX2 and FMA.
+  WIDEST //!< AVX-512, as processors since 2019 have it.
 };
 
 /*! A fitter with the given instructions; nothing if the processor, or this build, does not have them. */

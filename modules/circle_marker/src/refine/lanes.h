@@ -17,30 +17,32 @@
 
 /*!
   \file lanes.h
-  \brief Eight pixels at a time: arithmetic that compilers turn into SIMD instructions.
+  \brief Eight or sixteen pixels at a time: arithmetic that compilers turn into SIMD instructions.
 
   Single precision is enough: its rounding, 1e-7 of the contrast and 1e-5 of a pixel, is far below what noise leaves.
   There is no branch on a lane; a condition is a product with 0 or 1, or a clamp.
 
-  Code that works on lanes is compiled twice from the same files: for any processor, through Eigen, in the namespace
-  plain_lanes, and for processors with AVX2 and FMA in the namespace wide_lanes (wide_lanes.cpp). makeFitter() takes the
-  one that the processor can do. So everything that has lanes in it lives in CIRCLE_MARKER_LANES.
+  Code that works on lanes is compiled three times from the same files: for any processor, through Eigen, in the
+  namespace plain_lanes, for processors with AVX2 and FMA in the namespace wide_lanes (wide_lanes.cpp) and for those with
+  AVX-512 in widest_lanes (widest_lanes.cpp). makeFitter() takes the one that the processor can do. So everything that has
+  lanes in it lives in CIRCLE_MARKER_LANES.
 */
 
 #ifndef VP_CIRCLE_MARKER_LANES_H
 #define VP_CIRCLE_MARKER_LANES_H
 
-#include <array>
-#include <cstdint>
-#include <cstring>
-
 #include <Eigen/Core>
 
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
 
-#ifdef CIRCLE_MARKER_WIDE_LANES
+#if defined(CIRCLE_MARKER_WIDEST_LANES)
+#define CIRCLE_MARKER_LANES widest_lanes
+#include "refine/avx512_lanes.h"
+#include "refine/register_lanes.h"
+#elif defined(CIRCLE_MARKER_WIDE_LANES)
 #define CIRCLE_MARKER_LANES wide_lanes
 #include "refine/avx2_lanes.h"
+#include "refine/register_lanes.h"
 #else
 #define CIRCLE_MARKER_LANES plain_lanes
 #endif
@@ -48,9 +50,9 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
-/*! Number of pixels that are treated together: two SSE or NEON registers, one AVX register. */
+#if !defined(CIRCLE_MARKER_WIDE_LANES) && !defined(CIRCLE_MARKER_WIDEST_LANES)
+/*! Number of pixels that are treated together: two SSE or NEON registers. */
 constexpr int laneCount = 8;
-#ifndef CIRCLE_MARKER_WIDE_LANES
 using Lanes = Eigen::Array<float, laneCount, 1>;
 
 /*! The numbers valueOf(0), valueOf(1) and so on. */
@@ -81,68 +83,6 @@ inline void addEach(double *numbers, const Lanes &lanes)
   }
 }
 #endif
-
-/*! Numbers of some lanes, in their order. */
-struct LaneList
-{
-  std::array<unsigned char, laneCount> lanes;
-  int count;
-};
-
-#ifdef CIRCLE_MARKER_WIDE_LANES
-/*! For each set of lanes, as the bits of a number, those lanes in their order, a byte each. */
-struct LaneLists
-{
-  constexpr LaneLists()
-  {
-    for (unsigned int set = 0; set < lists.size(); ++set) {
-      unsigned int count = 0;
-      for (unsigned int lane = 0; lane < static_cast<unsigned int>(laneCount); ++lane) {
-        if ((set >> lane & 1U) != 0) {
-          lists[set] |= static_cast<std::uint64_t>(lane) << (8 * count++);
-        }
-      }
-      counts[set] = static_cast<unsigned char>(count);
-    }
-  }
-
-  std::array<std::uint64_t, 256> lists{};
-  std::array<unsigned char, 256> counts{};
-};
-constexpr LaneLists laneLists;
-#endif
-
-/*! The lanes whose value is below a bound. Without a branch that nobody can foretell. */
-inline LaneList lanesBelow(const Lanes &value, float bound)
-{
-  LaneList list;
-#ifdef CIRCLE_MARKER_WIDE_LANES
-  const auto set =
-      static_cast<unsigned int>(_mm256_movemask_ps(_mm256_cmp_ps(value.value(), _mm256_set1_ps(bound), _CMP_LT_OQ)));
-  std::memcpy(list.lanes.data(), &laneLists.lists[set], sizeof(list.lanes)); // AVX is little-endian
-  list.count = laneLists.counts[set];
-#else
-  list.count = 0;
-  if (value.minCoeff() >= bound) {
-    return list;
-  }
-  for (int lane = 0; lane < laneCount; ++lane) {
-    list.lanes[static_cast<std::size_t>(list.count)] = static_cast<unsigned char>(lane);
-    list.count += value[lane] < bound ? 1 : 0;
-  }
-#endif
-  return list;
-}
-
-/*! Where a < b the value of ifLess, else that of ifNot. */
-inline Lanes chosen(const Lanes &a, const Lanes &b, const Lanes &ifLess, const Lanes &ifNot)
-{
-#ifdef CIRCLE_MARKER_WIDE_LANES
-  return _mm256_blendv_ps(ifNot.value(), ifLess.value(), _mm256_cmp_ps(a.value(), b.value(), _CMP_LT_OQ));
-#else
-  return (a < b).select(ifLess, ifNot);
-#endif
-}
 
 /*! 1 where a value is positive, else 0. */
 inline Lanes isPositive(const Lanes &value)

@@ -18,24 +18,16 @@
 #ifndef VP_CIRCLE_MARKER_LANES_FITTER_H
 #define VP_CIRCLE_MARKER_LANES_FITTER_H
 
-#include "refine/fit_pixels.h"
 #include "refine/fitter.h"
 #include "refine/maximum_likelihood.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
-/*! Calls the functions of its own namespace. */
-class LanesFitter final : public Fitter
+/*! Fits poses by the functions of its own namespace. */
+class LanesFitter : public Fitter
 {
 public:
-  void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
-                    const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
-                    const BlurParameters &blur, double most, std::vector<FitPixel> &pixels) override
-  {
-    CIRCLE_MARKER_LANES::selectPixels(I, camera, frame, planes, count, pattern, blur, most, pixels);
-  }
-
   std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const FitStart &start,
                                     const MarkerPattern &pattern, const FitSettings &settings) override
   {

@@ -27,7 +27,7 @@
 #include <array>
 #include <cmath>
 
-#include "refine/lanes.h"
+#include "refine/lane_lists.h"
 #include "refine/plane_point.h"
 
 BEGIN_VISP_NAMESPACE

@@ -18,35 +18,7 @@
 #include "refine/wide_lanes.h"
 
 #if defined(__x86_64__) && defined(__GNUC__)
-// What is declared from here on may use AVX2 and FMA. Whatever else uses as well must not: the linker keeps one copy of
-// an inline function, which then runs on any processor. So all headers without lanes come first.
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <memory>
-#include <optional>
-#include <tuple>
-#include <vector>
-
-#include <immintrin.h>
-
-#include <Eigen/Cholesky>
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
-#include "pose/marker_plane.h"
-#include "refine/fit_pixel.h"
-#include "refine/fitted_pose.h"
-#include "refine/fitter.h"
-#include "refine/marker_pattern.h"
-#include "refine/paper_end.h"
-#include "refine/photometry.h"
-#include "refine/plane_point.h"
-#include "refine/surround.h"
-#include "support/camera_model.h"
-#include "support/normal_distribution.h"
+#include "refine/without_lanes.h"
 
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
@@ -56,20 +28,9 @@
 #endif
 #define CIRCLE_MARKER_WIDE_LANES
 
-#include "refine/coherence.cpp"
-#include "refine/fit_conclusion.cpp"
 #include "refine/fit_pixels.cpp"
-#include "refine/fit_preparation.cpp"
-#include "refine/fit_progress.cpp"
-#include "refine/fit_step.cpp"
-#include "refine/image_model.cpp"
-#include "refine/lanes_fitter.h"
-#include "refine/likelihood.cpp"
-#include "refine/line_model.cpp"
-#include "refine/maximum_likelihood.cpp"
-#include "refine/pixel_blocks.cpp"
-#include "refine/plane_lanes.cpp"
-#include "refine/residuals.cpp"
+#include "refine/fitting_on_lanes.h"
+#include "refine/selecting_fitter.h"
 
 #if defined(__clang__)
 #pragma clang attribute pop
@@ -84,7 +45,7 @@ std::unique_ptr<Fitter> makeWideFitter()
   if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
     return nullptr;
   }
-  return std::make_unique<wide_lanes::LanesFitter>();
+  return std::make_unique<wide_lanes::SelectingFitter>();
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE
