@@ -17,7 +17,7 @@
 
 #include "testRoomTools.h"
 
-#include "refine/lanes.h"
+#include "refine/lane_lists.h"
 
 using namespace circle_marker;
 using namespace room_test;
