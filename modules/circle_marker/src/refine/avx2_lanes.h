@@ -84,7 +84,8 @@ public:
   /*! Times 2^n, n whole numbers from -126 to 127. */
   Lanes scaledBy(const Lanes &n) const
   {
-    const __m256i exponent = _mm256_slli_epi32(_mm256_add_epi32(_mm256_cvtps_epi32(n.m_value), _mm256_set1_epi32(127)), 23);
+    const __m256i exponent =
+        _mm256_slli_epi32(_mm256_add_epi32(_mm256_cvtps_epi32(n.m_value), _mm256_set1_epi32(127)), 23);
     return _mm256_mul_ps(m_value, _mm256_castsi256_ps(exponent));
   }
 

@@ -12,7 +12,7 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Arithmetic on eight pixels at a time.
+ * Arithmetic on several pixels at a time.
  */
 
 /*!
@@ -23,9 +23,9 @@
   There is no branch on a lane; a condition is a product with 0 or 1, or a clamp.
 
   Code that works on lanes is compiled three times from the same files: for any processor, through Eigen, in the
-  namespace plain_lanes, for processors with AVX2 and FMA in the namespace wide_lanes (wide_lanes.cpp) and for those with
-  AVX-512 in widest_lanes (widest_lanes.cpp). makeFitter() takes the one that the processor can do. So everything that has
-  lanes in it lives in CIRCLE_MARKER_LANES.
+  namespace plain_lanes, for processors with AVX2 and FMA in the namespace wide_lanes (wide_lanes.cpp) and for those
+  with AVX-512 in widest_lanes (widest_lanes.cpp). makeFitter() takes the one that the processor can do. So everything
+  that has lanes in it lives in CIRCLE_MARKER_LANES.
 */
 
 #ifndef VP_CIRCLE_MARKER_LANES_H

@@ -250,7 +250,7 @@ private:
     return isTrack * atRim + isPositive(0.5f - sight) * isInner;
   }
 
-  // Places of eight pixels in the units of the blocks.
+  // Places of the pixels of a block in its units.
   void placeOf(const std::array<const FitPixel *, laneCount> &pixels, PlaceLanes &place) const
   {
     const auto pixel = [&pixels](int lane) -> const FitPixel & { return *pixels[static_cast<std::size_t>(lane)]; };

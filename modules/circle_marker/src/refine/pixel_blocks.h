@@ -70,7 +70,7 @@ struct SurroundLanes
   Lanes spread; //!< Most that the surround may change, grey levels.
 };
 
-/*! Eight pixels that may see the same parts of the print. */
+/*! Pixels, as many as there are lanes, that may see the same parts of the print. */
 struct PixelBlock
 {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

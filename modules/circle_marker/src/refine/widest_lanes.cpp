@@ -23,7 +23,8 @@
 #include "refine/without_lanes.h"
 
 #if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma,avx512f,avx512dq,avx512vl,avx512bw"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx2,fma,avx512f,avx512dq,avx512vl,avx512bw"))),                   \
+                             apply_to = function)
 #else
 #pragma GCC push_options
 // GCC's own functions for these registers start from one that has no value yet (its bug 105593).

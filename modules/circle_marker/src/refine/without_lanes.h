@@ -30,15 +30,21 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <immintrin.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -53,5 +59,7 @@
 #include "refine/surround.h"
 #include "support/camera_model.h"
 #include "support/normal_distribution.h"
+
+#include <visp3/core/vpImage.h>
 
 #endif
