@@ -210,6 +210,24 @@ TEST(DetectorReach, LargeMarkersAtGrazingAngles)
 }
 
 // Each id has a size of its own; a first reading of so small a code is often another's.
+// Sectors are half as long again as pixels, but in such a blur and noise none of them can be told alone.
+TEST(DetectorReach, CodesInMuchBlurAndNoise)
+{
+  expectReach({vpCircleMarkerFamily::GOLAY23, 18., 24., 1., 90., 160., 0.97, 1.16, 125., 0., 30., 5.});
+}
+
+// In noise the outline of something narrow is found on the image's half.
+TEST(DetectorReach, NarrowLongCodesInNoise)
+{
+  expectReach({vpCircleMarkerFamily::BCH31, 15., 20., 1.31, 90., 200., 0.94, 0.9, 110., 1.1, 45., 6.});
+}
+
+// Noise breaks the sides of the outline, and its ends are not as narrow as those that are sought elsewhere.
+TEST(DetectorReach, SmallCodesInStrongNoise)
+{
+  expectReach({vpCircleMarkerFamily::GOLAY23, 12., 16., 1.15, 90., 130., 0.85, 0.7, 220., 1., 30., 20.});
+}
+
 TEST(DetectorReach, SmallMarkersHaveTheSizeOfTheirId)
 {
   Random random = randomOfTest();

@@ -190,8 +190,8 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
 bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline,
                                                  Recognition marker, Bench &bench, Found &measured) const
 {
-  const bool isProofWanted =
-      settings.refinePose && !marker.seen && !marker.blurred && wantsProof(outline.ellipse, marker.family);
+  const bool isProofWanted = settings.refinePose && !marker.seen && !marker.blurred &&
+                             (!marker.isCertain || wantsProof(outline.ellipse, marker.family));
   auto measurement = isProofWanted ? measureProven(visit.I, visit.camera, m_outlines.full.gradient.noise, marker,
                                                    bench.measuring, visit.deadline)
                                    : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose,

@@ -81,6 +81,19 @@ TEST(KnownOutlines, OfTwoThatAreTheSameTheBetterStays)
   EXPECT_FALSE(known.outlines.hasSame(ellipseAt(200., 121., 40.)));
 }
 
+// On bright ground: the edge is in part that of the sheet.
+TEST(KnownOutlines, ADarkLineWellInsideOfAnEdgeIsAnotherOutline)
+{
+  Known known;
+  ASSERT_TRUE(known.take(ellipseAt(100., 120., 16.), 0.9));
+  EXPECT_FALSE(known.take(ellipseAt(100., 120., 15.5), 1., true));
+  EXPECT_TRUE(known.outlines.hasSame(ellipseAt(100., 120., 14.5)));
+  EXPECT_FALSE(known.outlines.hasSame(ellipseAt(100., 120., 14.5), true));
+  EXPECT_TRUE(known.take(ellipseAt(100., 120., 14.5), 0.8, true));
+  EXPECT_FALSE(known.take(ellipseAt(100., 120., 14.), 0.7, true)) << "two lines of one ring";
+  EXPECT_EQ(known.outlines.outlines.size(), 2u);
+}
+
 TEST(KnownOutlines, HoldsThePointsAlongThem)
 {
   Known known;

@@ -224,10 +224,11 @@ TEST(MeasureProven, SmallSectorsWantIt)
   outline.a = 100.;
   outline.b = 1.59 * perLength;
   EXPECT_TRUE(wantsProof(outline, family));
-  EXPECT_FALSE(mayBeUncertain(outline, family));
-  outline.b = 1.61 * perLength;
-  EXPECT_FALSE(wantsProof(outline, family));
-  outline.b = 1.39 * perLength;
-  EXPECT_TRUE(mayBeUncertain(outline, family));
   EXPECT_FALSE(wantsProof(outline, vpCircleMarkerFamily(vpCircleMarkerFamily::RING))) << "there is nothing to prove";
+  outline.b = 1.61 * perLength;
+  EXPECT_FALSE(wantsProof(outline, family)) << "if they were read for certain";
+  outline.b = 1.89 * perLength;
+  EXPECT_TRUE(mayBeUncertain(outline, family));
+  outline.b = 1.91 * perLength;
+  EXPECT_FALSE(mayBeUncertain(outline, family));
 }

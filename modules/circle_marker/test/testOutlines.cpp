@@ -17,7 +17,8 @@
 
 #include "ellipse/outlines.h"
 
-#include "testRoomTools.h"
+#include "ellipse/fit_conic.h"
+#include "testSheetTools.h"
 
 using namespace circle_marker;
 using namespace room_test;
@@ -66,6 +67,38 @@ TEST(Outlines, AtAnyScaleAnOutlineIsWhereItIs)
       EXPECT_TRUE(memory.reduced[0].isUsed && memory.reduced[1].isUsed);
     }
   }
+}
+
+// Where the ground is brighter than the paper, the edges of ring and sheet run into one another where they are near.
+// The ring's dark line is left, of rings of up to 30 pixels.
+TEST(Outlines, OfRingsOnGroundBrighterThanTheirPaper)
+{
+  Random random = randomOfTest();
+  const double ringInner = vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23).getLayout().ringInner;
+  const SoughtCenters sought = {true, false, ringInner};
+  Workers workers;
+  OutlineMemory memory;
+  constexpr int scenes = 200;
+  int found = 0;
+  for (int i = 0; i < scenes; ++i) {
+    MarkerScene scene = sheetScene(random, side / 2, {22., 29.}, {0., 0.9}, 150.);
+    scene.white = 80.;
+    scene.black = 15.;
+    const vpImage<unsigned char> I = digitise(expose(side / 2, side / 2, 0.6, scene), 0.1, random);
+    std::vector<Eigen::Vector2d> outer;
+    for (int k = 0; k < 40; ++k) {
+      const double angle = 2. * M_PI * k / 40.;
+      outer.push_back(project(scene, Eigen::Vector2d(std::cos(angle), std::sin(angle))));
+    }
+    const EllipseParameters truth = *ellipseFromConic(*fitEllipse(outer.data(), outer.size()));
+    const auto &outlines = findOutlines(I, sought, workers, Deadline(), memory);
+    found += std::any_of(outlines.begin(), outlines.end(), [&](const EllipseCandidate &outline) {
+      const EllipseParameters &ellipse = outline.ellipse;
+      return (ellipse.center - truth.center).norm() < 0.5 && std::abs(ellipse.a - truth.a) < 0.7 &&
+             std::abs(ellipse.b - truth.b) < 0.7;
+    });
+  }
+  EXPECT_GE(found, scenes - 1);
 }
 
 TEST(Outlines, ImagesWithoutRoomAreNotReduced)

@@ -267,7 +267,7 @@ struct Search
     EllipseReject reason = bench.fitter.fitThinRing(I, gradient, bench.points.data(), bench.points.size(), kind,
                                                     sought.thinRing, proposal.candidate);
     // By its outer edge it is known better.
-    if (reason == EllipseReject::NONE && memory.known.hasSame(proposal.candidate.ellipse)) {
+    if (reason == EllipseReject::NONE && memory.known.hasSame(proposal.candidate.ellipse, true)) {
       reason = EllipseReject::KNOWN_OUTLINE;
     }
     if (reason != EllipseReject::NONE) {

@@ -27,17 +27,25 @@ namespace circle_marker {
 namespace {
 // Two ellipses are one outline if centres and axes agree to this share of the minor semi-axis (and a pixel).
 constexpr double sameOutline = 0.1;
+// Of one that was found by its edge and one that was found by its dark line, to this share (and this part of a pixel):
+// on ground brighter than paper the edge found is that of the sheet where it is near, up to a tenth farther out.
+constexpr double sameByLine = 0.03;
+constexpr double pixelByLine = 0.75;
 
 double slackOf(const EllipseParameters &ellipse)
 {
   return 1. + sameOutline * ellipse.b;
 }
+
+bool isWithin(double slack, const EllipseParameters &p, const EllipseParameters &q)
+{
+  return std::abs(p.a - q.a) < slack && std::abs(p.b - q.b) < slack && (p.center - q.center).norm() < slack;
+}
 } // namespace
 
 bool isSameOutline(const EllipseParameters &p, const EllipseParameters &q)
 {
-  const double slack = slackOf(p.b < q.b ? p : q);
-  return std::abs(p.a - q.a) < slack && std::abs(p.b - q.b) < slack && (p.center - q.center).norm() < slack;
+  return isWithin(slackOf(p.b < q.b ? p : q), p, q);
 }
 
 void KnownOutlines::reset(int width, int height)
@@ -48,11 +56,16 @@ void KnownOutlines::reset(int width, int height)
   m_large.clear();
 }
 
-int KnownOutlines::find(const EllipseParameters &ellipse) const
+int KnownOutlines::find(const EllipseParameters &ellipse, bool isByLine) const
 {
   int same = -1;
   const auto isSame = [&](int number) {
-    if (isSameOutline(outlines[static_cast<std::size_t>(number)].ellipse, ellipse)) {
+    const EllipseCandidate &known = outlines[static_cast<std::size_t>(number)];
+    const bool isOne =
+        known.isByLine == isByLine
+            ? isSameOutline(known.ellipse, ellipse)
+            : isWithin(pixelByLine + sameByLine * std::min(known.ellipse.b, ellipse.b), known.ellipse, ellipse);
+    if (isOne) {
       same = number;
     }
     return same >= 0;
@@ -67,7 +80,7 @@ int KnownOutlines::find(const EllipseParameters &ellipse) const
 
 bool KnownOutlines::take(EllipseCandidate &candidate)
 {
-  int number = find(candidate.ellipse);
+  int number = find(candidate.ellipse, candidate.isByLine);
   const bool isNew = number < 0;
   if (!isNew) {
     EllipseCandidate &known = outlines[static_cast<std::size_t>(number)];

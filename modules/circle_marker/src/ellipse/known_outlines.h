@@ -27,7 +27,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Whether two ellipses are one outline, to a tenth of their size and a pixel. */
+/*! Whether two ellipses that were found in the same way are one outline, to a tenth of their size and a pixel. */
 bool isSameOutline(const EllipseParameters &p, const EllipseParameters &q);
 
 /*! Outlines without two of the same, found by place. */
@@ -44,8 +44,8 @@ public:
   */
   bool take(EllipseCandidate &candidate);
 
-  /*! Whether an outline of these axes is known. */
-  bool hasSame(const EllipseParameters &ellipse) const { return find(ellipse) >= 0; }
+  /*! Whether an outline of these axes is known; isByLine: whether they were found by a dark line. */
+  bool hasSame(const EllipseParameters &ellipse, bool isByLine = false) const { return find(ellipse, isByLine) >= 0; }
 
   /*!
     Whether most of the points lie on an outline that is known.
@@ -62,7 +62,7 @@ public:
   ReusedList<EllipseCandidate> outlines; //!< All of them. Sorting them is the end of this index.
 
 private:
-  int find(const EllipseParameters &ellipse) const;
+  int find(const EllipseParameters &ellipse, bool isByLine) const;
   bool liesOn(const EllipseCandidate &known, const EdgePoint *points, std::size_t count, double scale,
               double shift) const;
 

@@ -70,11 +70,13 @@ constexpr double leastDarkLine = 0.75;
 // And share that is left when what does not fit is taken away.
 constexpr double leastDarkLineOfMost = 0.6;
 // Semi-minor axes of the outlines that are sought by their dark line, pixels: of smaller rings no code is left, of
-// larger ones the outer edge shows, even on dark ground in a blur of 1.1.
+// larger ones the outer edge shows, even on dark ground in a blur of 1.1 (from 11 on) and on ground that is brighter
+// than the paper by more than that is than ink.
 constexpr double leastThinRing = 2.3;
-constexpr double mostThinRing = 11.;
-// Ratio of the axes up to which a ring has ends: less narrow ones bend less sharply, and arcs are made of them.
-constexpr double mostAxisRatioOfEnds = 0.42;
+constexpr double mostThinRing = 16.;
+// Ratio of the axes up to which a ring has ends: less narrow ones bend less sharply, and arcs are made of them. Ends that
+// are told to belong together have 0.42 mostly (cap_pairs.cpp), but where noise moves them, and no arc is left, more.
+constexpr double mostAxisRatioOfEnds = 0.6;
 // And between its ends the blur leaves this share of the step that they have.
 constexpr double leastStepBetweenEnds = 0.2;
 
