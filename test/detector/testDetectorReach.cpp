@@ -210,6 +210,31 @@ TEST(DetectorReach, LargeMarkersAtGrazingAngles)
 }
 
 // Each id has a size of its own; a first reading of so small a code is often another's.
+// Thirty to forty times as long as wide.
+TEST(DetectorReach, MarkersSeenNearlyFromTheSide)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  vpDetectorCircleMarker detector(family);
+  constexpr int images = 40;
+  int found = 0;
+  for (int image = 0; image < images; ++image) {
+    const int id = randomId(random, family);
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    simulator.setBackground(vpSceneBackground::plain(220.));
+    const double diameter = uniform(random, 300., 350.);
+    simulator.addMarker(printed(family, id).setPose(randomPose(random, diameter, uniform(random, 1.535, 1.545))));
+    vpImage<unsigned char> I;
+    simulator.render(I, random());
+    detector.detect(I);
+    for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
+      found += detection.id == id ? 1 : 0;
+      EXPECT_EQ(id, detection.id) << "image " << image;
+    }
+  }
+  EXPECT_GE(found, images / 2);
+}
+
 // Sectors are half as long again as pixels, but in such a blur and noise none of them can be told alone.
 TEST(DetectorReach, CodesInMuchBlurAndNoise)
 {

@@ -32,8 +32,8 @@ namespace circle_marker {
 namespace {
 // The smallest ellipse worth trying: a minor axis of 4 pixels still shows its dark band.
 constexpr double leastSemiMinor = 2.;
-// A circle seen at 87.7 degrees has this axis ratio.
-constexpr double leastAxisRatio = 0.04;
+// A circle seen at 89.1 degrees has this axis ratio: of one of 800 pixels it leaves 12.
+constexpr double leastAxisRatio = 0.015;
 // Root-mean-square distance of a chain's points from their ellipse, pixels: noise and staircase, and a part that grows
 // with size and leaves room for lens distortion (2 pixels on a ring of radius 300).
 constexpr double fitTolerance = 0.4;
@@ -74,8 +74,9 @@ constexpr double leastDarkLineOfMost = 0.6;
 // than the paper by more than that is than ink.
 constexpr double leastThinRing = 2.3;
 constexpr double mostThinRing = 16.;
-// Ratio of the axes up to which a ring has ends: less narrow ones bend less sharply, and arcs are made of them. Ends that
-// are told to belong together have 0.42 mostly (cap_pairs.cpp), but where noise moves them, and no arc is left, more.
+// Ratio of the axes up to which a ring has ends: less narrow ones bend less sharply, and arcs are made of them. Ends
+// that are told to belong together have 0.42 mostly (cap_pairs.cpp), but where noise moves them, and no arc is left,
+// more.
 constexpr double mostAxisRatioOfEnds = 0.6;
 // And between its ends the blur leaves this share of the step that they have.
 constexpr double leastStepBetweenEnds = 0.2;
@@ -225,7 +226,9 @@ EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const 
     point.position = ellipse.center + scale * (point.position - ellipse.center);
   }
   candidate.contrast = medianContrast(I, candidate);
-  return candidate.contrast < rise ? EllipseReject::NOT_DARK_INSIDE : EllipseReject::NONE;
+  // By the sheet's shape the ring was found in all directions together: in most of them the blur may leave no step.
+  const bool isDark = kind == ThinRing::BY_SHEETS_SHAPE || candidate.contrast >= rise;
+  return isDark ? EllipseReject::NONE : EllipseReject::NOT_DARK_INSIDE;
 }
 
 EllipseReject OutlineFitter::fitEnds(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
