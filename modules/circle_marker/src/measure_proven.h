@@ -27,13 +27,14 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  Whether the sectors of a marker are so small that a reading of them one by one wants a proof.
+  Whether the sectors of a marker are so small that even a certain reading of them one by one wants a proof.
   \param outline : Its outline.
   \param family : Its family.
 */
 bool wantsProof(const EllipseParameters &outline, const vpCircleMarkerFamily &family);
 
-/*! Whether they are too small to be read for certain, though a proof may succeed. */
+/*! Whether they are so small that blur and noise may keep them from being read for certain, though a proof may succeed.
+ */
 bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily &family);
 
 /*!

@@ -28,7 +28,8 @@ namespace {
 // The outline of the smallest marker that can be read, with a minor axis of 4 pixels, has 20 pixels.
 constexpr std::size_t shortestChain = 14;
 // Of a reduced image only outlines of this semi-minor axis count, its pixels: smaller ones are found at a larger size
-// or not worth it, larger ones are lost there in noise. And images that have no room for one, and three pixels on either side for its edge, are not reduced.
+// or not worth it, larger ones are lost there in noise. And images that have no room for one, and three pixels on
+// either side for its edge, are not reduced.
 constexpr double leastReducedSemiMinor = 4.;
 constexpr unsigned int leastReducedSide = 16;
 
