@@ -14,7 +14,7 @@
 # WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
 #
 # Description:
-# Only functions of the sets of instructions' own namespaces may use registers that not all processors have.
+# Only functions of the sets of instructions' own namespaces may use instructions that not all processors have.
 #
 #############################################################################
 
@@ -30,14 +30,14 @@ for object in "$@"; do
     */widest_lanes.cpp.o) own='widest_lanes::' ;;
     *) continue ;;
   esac
-  # Names of functions with a wide register in their code.
+  # Names of functions with an instruction of AVX in their code, on registers of whatever width.
   functions=$("$objdump" --disassemble --demangle --no-show-raw-insn "$object" |
-    awk '/^[0-9a-f]+ <.*>:$/ { name = $0 } /%[yz]mm[0-9]/ { uses[name] = 1 } END { for (name in uses) print name }')
+    awk '/^[0-9a-f]+ <.*>:$/ { name = $0 } /^ *[0-9a-f]+:\tv[a-z0-9]+/ { uses[name] = 1 } END { for (name in uses) print name }')
   if [[ -z $functions ]]; then
-    echo "$object: no function uses a wide register; was it compiled for them?" >&2
+    echo "$object: no function uses AVX; was it compiled for it?" >&2
     status=1
   elif grep -vF "$own" <<< "$functions" >&2; then
-    echo "$object: these functions are not of $own, but use its registers" >&2
+    echo "$object: these functions are not of $own, but use its instructions" >&2
     status=1
   fi
   looked=$((looked + 1))
