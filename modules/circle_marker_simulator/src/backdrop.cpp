@@ -89,8 +89,7 @@ vpImagePoint Painter::from(const vpImagePoint &p, double direction, double dista
 
 void Painter::paint(const vpSceneOccluder &occluder)
 {
-  const vpImage<float> behind = m_image;
-  addLayer(layerOf(occluder), m_response, behind, 1., m_image);
+  addLayer(layerOf(occluder), m_response, m_image, 1., m_image); // over what is there: what is behind is the image itself
 }
 
 void Painter::polygon()

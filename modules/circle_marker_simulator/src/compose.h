@@ -31,7 +31,7 @@ namespace marker_simulator {
 
   \param layer : the layer, visible parts only.
   \param response : blur and pixel.
-  \param background : grey levels behind the layers.
+  \param background : grey levels behind the layers. It may be `I` itself: each pixel is read before it is changed.
   \param share : part of the exposure for which the layer is there, 0 to 1.
   \param[in,out] I : background plus the changes so far.
 */
