@@ -39,10 +39,9 @@ constexpr double clearOfChance = 3.;
 // With normal noise, mean of (w r)^2 over that of w for the biweight's weights w.
 constexpr double pullOfNoise = 0.6605;
 
-// How far a pull moves the pose, when all other parameters follow; the pose without its spin if that is not fitted.
-template <int fitted> using Influence = Eigen::Matrix<double, fitted, parameters>;
+using PoseColumn = Eigen::Matrix<double, poseSize, 1>;
 
-// What a part of the pixels does to the pose.
+// What a part of the pixels does to the pose; without its spin if that is not fitted.
 template <int fitted> struct Part
 {
   Eigen::Matrix<double, fitted, 1> motion = Eigen::Matrix<double, fitted, 1>::Zero(); // by its pull
@@ -53,26 +52,42 @@ template <int fitted> struct Part
 
 template <int fitted> using Parts = std::array<Part<fitted>, directions>;
 
-// step: the last one from where the sums were made; used: number of parameters.
-template <int fitted>
-Part<fitted> partOf(const ProductSums &products, const PullSums &pulls, const Influence<fitted> &influence,
-                    const ParameterVector &step, int used)
+// The influence times a part's matrix, of which the triangle is given, row by row. used: number of parameters.
+PoseInfluence movedBy(const ProductSums &products, const PoseInfluence &influence, int used)
 {
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, parameters, parameters> information(used, used);
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, parameters, 1> pull(used);
+  PoseInfluence moved;
   std::size_t k = 0;
   for (int i = 0; i < used; ++i) {
-    for (int j = 0; j <= i; ++j) {
-      information(i, j) = products[k++];
-      information(j, i) = information(i, j);
+    PoseColumn sum = PoseColumn::Zero();
+    for (int j = 0; j < i; ++j) {
+      sum += products[k] * influence.col(j);
+      moved.col(j) += products[k++] * influence.col(i);
     }
-    pull[i] = pulls[static_cast<std::size_t>(i)];
+    moved.col(i) = sum + products[k++] * influence.col(i);
   }
-  // Matrices this small are multiplied faster term by term than by blocks.
-  const auto known = influence.leftCols(used);
-  const Eigen::Matrix<double, fitted, Eigen::Dynamic, 0, fitted, parameters> moved = known.lazyProduct(information);
-  return {known.lazyProduct(pull) - moved.lazyProduct(step.head(used)), moved.lazyProduct(known.transpose()),
-          information(0, 0) > 0.};
+  return moved;
+}
+
+// step: the last one from where the sums were made.
+template <int fitted>
+Part<fitted> partOf(const ProductSums &products, const PullSums &pulls, const PoseInfluence &influence,
+                    const ParameterVector &step, int used)
+{
+  Part<fitted> part;
+  part.isSeen = products[0] > 0.;
+  if (!part.isSeen) {
+    return part;
+  }
+  const PoseInfluence moved = movedBy(products, influence, used);
+  PoseColumn motion = PoseColumn::Zero();
+  Eigen::Matrix<double, poseSize, poseSize> information = Eigen::Matrix<double, poseSize, poseSize>::Zero();
+  for (int i = 0; i < used; ++i) {
+    motion += pulls[static_cast<std::size_t>(i)] * influence.col(i) - step[i] * moved.col(i);
+    information += moved.col(i).lazyProduct(influence.col(i).transpose());
+  }
+  part.motion = motion.head<fitted>();
+  part.information = information.topLeftCorner<fitted, fitted>();
+  return part;
 }
 
 // By how much the parts together move the pose more than independent noise would.
@@ -135,11 +150,10 @@ Eigen::Matrix<double, fitted, fitted> widened(const Eigen::Matrix<double, fitted
 }
 
 template <int fitted>
-CoherentCovariance coherentCovarianceOf(const PassSums &sums, const ParameterMatrix &inverse,
+CoherentCovariance coherentCovarianceOf(const PassSums &sums, const PoseInfluence &influence,
                                         const ParameterVector &step, double noise, int used)
 {
-  const Influence<fitted> influence = inverse.topRows<fitted>();
-  const Eigen::Matrix<double, fitted, fitted> known = inverse.topLeftCorner<fitted, fitted>().inverse();
+  const Eigen::Matrix<double, fitted, fitted> known = influence.topLeftCorner<fitted, fitted>().inverse();
   Parts<fitted> parts;
   const std::size_t seen = std::min(sums.products.size(), directions);
   for (std::size_t k = 0; k < seen; ++k) {
@@ -153,7 +167,7 @@ CoherentCovariance coherentCovarianceOf(const PassSums &sums, const ParameterMat
     const Excess<fitted> excess = excessOf<fitted>(parts, count, known, noise);
     largest = excess.ratio > largest.ratio ? excess : largest;
   }
-  CoherentCovariance coherent = {inverse.topLeftCorner<poseSize, poseSize>(), largest.ratio};
+  CoherentCovariance coherent = {influence.leftCols<poseSize>(), largest.ratio};
   if (coherent.ratio > 1.) {
     coherent.covariance.topLeftCorner(fitted, fitted) =
         widened<fitted>(coherent.covariance.template topLeftCorner<fitted, fitted>(), largest);
@@ -162,11 +176,11 @@ CoherentCovariance coherentCovarianceOf(const PassSums &sums, const ParameterMat
 }
 } // namespace
 
-CoherentCovariance Likelihood::coherentCovariance(const ParameterMatrix &inverse, const ParameterVector &step,
+CoherentCovariance Likelihood::coherentCovariance(const PoseInfluence &influence, const ParameterVector &step,
                                                   double noise, int used) const
 {
-  return m_settings.spinIsKnown ? coherentCovarianceOf<poseSize>(m_memory.sums, inverse, step, noise, used)
-                                : coherentCovarianceOf<spinAt>(m_memory.sums, inverse, step, noise, used);
+  return m_settings.spinIsKnown ? coherentCovarianceOf<poseSize>(m_memory.sums, influence, step, noise, used)
+                                : coherentCovarianceOf<spinAt>(m_memory.sums, influence, step, noise, used);
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

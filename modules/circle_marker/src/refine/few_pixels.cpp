@@ -36,6 +36,10 @@ constexpr double reach = 2.6;
 // other is nothing.
 constexpr double mostSurround = 0.02;
 constexpr double leastSurround = 0.001;
+// So many standard deviations of the blur away from it is less; and a pixel's centre is off the row by this, pixels, at
+// most.
+constexpr double clearOfSurround = 3.1;
+constexpr double toCentre = 0.71;
 
 // Puts the rows of one hypothesis.
 class Rows
@@ -54,39 +58,49 @@ public:
     const Eigen::Vector2d p = m_camera.toPixel(m_plane.project(q));
     const PlanePoint point = planePoint({m_camera.toMeter(p), m_camera.meterPerPixel(p)}, m_plane);
     const Eigen::Vector2d normal = (point.byPixel.transpose() * across).normalized();
-    const double gradient = (m_blurShape * point.byPixel.transpose() * q.normalized()).norm();
     const double blur = m_blur * (m_blurShape * normal).norm();
+    // Along a row the radius changes by no more than this; few rows come near to where the paper may end.
+    const double change = (reach * blur + toCentre) * point.byPixel.norm();
+    const double gradient = (m_blurShape * point.byPixel.transpose() * q.normalized()).norm();
+    const bool mayEnd = q.norm() + change > m_outermost - clearOfSurround * gradient * m_blur;
     for (int k = 0; k < pixelsOfRow; ++k) {
       const double along = reach * blur * (2. * k / (pixelsOfRow - 1.) - 1.);
-      const double u = std::round(p.x() + along * normal.x());
-      const double v = std::round(p.y() + along * normal.y());
-      if (u >= 0. && v >= 0. && u < m_image.getWidth() && v < m_image.getHeight()) {
-        add(Eigen::Vector2d(u, v), gradient);
+      const Eigen::Vector2d upper = (p + along * normal).array() + 0.5; // rounded by what is cut off
+      if (upper.x() < 0. || upper.y() < 0. || upper.x() >= m_image.getWidth() || upper.y() >= m_image.getHeight()) {
+        continue;
+      }
+      const auto u = static_cast<unsigned int>(upper.x());
+      const auto v = static_cast<unsigned int>(upper.y());
+      const Eigen::Vector2d where(u, v);
+      const Eigen::Vector2d meter = m_camera.toMeter(where);
+      const double share = mayEnd ? shareBeyond(meter, gradient) : 0.;
+      if (share <= mostSurround) {
+        add(where, meter, share).grey = m_image[v][u];
       }
     }
   }
 
 private:
-  void add(const Eigen::Vector2d &where, double gradient)
+  // Share of what a pixel sees that may lie beyond the paper; gradient: of the radius, 1 / pixel.
+  double shareBeyond(const Eigen::Vector2d &meter, double gradient) const
   {
-    FitPixel pixel;
-    const Eigen::Vector2d meter = m_camera.toMeter(where);
+    const double radius = m_plane.intersect(meter).norm();
+    return NormalDistribution::instance().at((radius - m_outermost) / (gradient * m_blur)).cumulative;
+  }
+
+  // Without its grey level.
+  FitPixel &add(const Eigen::Vector2d &where, const Eigen::Vector2d &meter, double share)
+  {
+    FitPixel &pixel = m_pixels.emplace_back();
     pixel.meter = meter.cast<float>();
     pixel.meterPerPixel = m_camera.meterPerPixel(where).cast<float>();
-    const double radius = m_plane.intersect(meter).norm();
-    // Nobody has looked there.
-    BeyondPaper &beyond = pixel.beyond[static_cast<std::size_t>(PaperShape::ROUND)];
-    const double share = NormalDistribution::instance().at((radius - m_outermost) / (gradient * m_blur)).cumulative;
-    if (share > mostSurround) {
-      return;
-    }
-    if (share > leastSurround) {
+    pixel.offset = ((where - m_frame.center) / m_frame.size).cast<float>();
+    if (share > leastSurround) { // nobody has looked there
+      BeyondPaper &beyond = pixel.beyond[static_cast<std::size_t>(PaperShape::ROUND)];
       beyond.share = static_cast<float>(share);
       beyond.spread = HUGE_VALF;
     }
-    pixel.offset = ((where - m_frame.center) / m_frame.size).cast<float>();
-    pixel.grey = m_image[static_cast<unsigned int>(where.y())][static_cast<unsigned int>(where.x())];
-    m_pixels.push_back(pixel);
+    return pixel;
   }
 
   const vpImage<unsigned char> &m_image;

@@ -59,18 +59,21 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
   const Explanation explanation = fit.explain(noise);
   result.inliers = explanation.inliers;
   result.correlation = explanation.correlation;
-  ParameterMatrix inverse = ParameterMatrix::Zero();
-  inverse.topLeftCorner(equations.used, equations.used) =
-      UsedMatrix(equations.matrix.topLeftCorner(equations.used, equations.used))
-          .ldlt()
-          .solve(UsedMatrix::Identity(equations.used, equations.used));
-  if (!inverse.allFinite()) {
+  // The pose's columns of the inverse, and the step that would be next.
+  Eigen::Matrix<double, Eigen::Dynamic, poseSize + 1, 0, parameters, poseSize + 1> columns(equations.used,
+                                                                                             poseSize + 1);
+  columns.setIdentity();
+  columns.col(poseSize) = equations.right.head(equations.used);
+  UsedMatrix(equations.matrix.topLeftCorner(equations.used, equations.used)).ldlt().solveInPlace(columns);
+  if (!columns.allFinite()) {
     return false;
   }
-  result.decrement = equations.right.dot(inverse * equations.right);
-  Eigen::Matrix<double, 6, 6> covariance = inverse.topLeftCorner<poseSize, poseSize>();
+  result.decrement = equations.right.head(equations.used).dot(columns.col(poseSize));
+  PoseInfluence influence = PoseInfluence::Zero();
+  influence.leftCols(equations.used) = columns.leftCols<poseSize>().transpose();
+  Eigen::Matrix<double, 6, 6> covariance = influence.leftCols<poseSize>();
   if (settings.exactBends) {
-    const CoherentCovariance coherent = fit.coherentCovariance(inverse, lastStep, noise, equations.used);
+    const CoherentCovariance coherent = fit.coherentCovariance(influence, lastStep, noise, equations.used);
     covariance = coherent.covariance;
     result.coherence = coherent.ratio;
   }

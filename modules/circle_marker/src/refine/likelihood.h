@@ -65,6 +65,10 @@ struct Explanation
   double inliers = 0.;     //!< Share of the pixels that the model explains, in [0, 1].
 };
 
+/*! How far a pull of each parameter moves the pose, when all others follow: the pose's rows of the inverse of the
+    equations' matrix. */
+using PoseInfluence = Eigen::Matrix<double, poseSize, parameters>;
+
 /*! Covariance of the pose by what neighbouring pixels pull together: Likelihood::coherentCovariance(). */
 struct CoherentCovariance
 {
@@ -117,12 +121,12 @@ public:
     centre taken together, is larger by more than chance. Then it is wider by the mean over the pose's parameters of the
     ratio of both, and in the directions in which the sandwich is wider than that, by as much as that is: the print is
     bent, moved or lit in a way that the model does not know.
-    \param inverse : Of the matrix of the equations kept.
+    \param influence : By the equations kept.
     \param step : Last step from where these were made.
     \param noise : Grey levels.
     \param used : Number of parameters, the first ones, that any pixel depends on.
   */
-  CoherentCovariance coherentCovariance(const ParameterMatrix &inverse, const ParameterVector &step, double noise,
+  CoherentCovariance coherentCovariance(const PoseInfluence &influence, const ParameterVector &step, double noise,
                                         int used) const;
 
   /*! The residuals at a pose, without equations. */

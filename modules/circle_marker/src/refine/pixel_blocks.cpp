@@ -314,9 +314,12 @@ private:
   // Whether all pixels have the same derivative, as with a camera without distortion.
   static bool isUniform(const std::vector<FitPixel> &pixels)
   {
-    return std::all_of(pixels.begin(), pixels.end(), [&](const FitPixel &pixel) {
-      return (pixel.meterPerPixel.array() == pixels.front().meterPerPixel.array()).all();
-    });
+    // All are looked at, without a condition: it is mostly so.
+    Eigen::Array22f change = Eigen::Array22f::Zero();
+    for (const FitPixel &pixel : pixels) {
+      change = change.max((pixel.meterPerPixel - pixels.front().meterPerPixel).array().abs());
+    }
+    return (change == 0.f).all();
   }
 
   const std::vector<FitPixel> &m_pixels;
