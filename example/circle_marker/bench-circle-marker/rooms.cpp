@@ -129,6 +129,7 @@ void addMeasurement(double diameter)
   constexpr std::size_t frames = 20;
   const std::string name = "room/measure/" + std::to_string(static_cast<int>(diameter)) + "-pixels";
   const auto visits = std::make_shared<std::vector<std::unique_ptr<Visit>>>();
+  const auto memory = std::make_shared<MeasureMemory>(); // one for all images, as a detector's
   benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State &state) {
     SceneOptions options;
     options.leastDiameter = diameter;
@@ -140,7 +141,7 @@ void addMeasurement(double diameter)
     for (auto _ : state) {
       Visit &visit = *(*visits)[frame++ % frames];
       if (!visit.markers.empty()) {
-        auto measured = measure(visit.scene.image, visit.camera, visit.markers.front(), true, visit.measuring);
+        auto measured = measure(visit.scene.image, visit.camera, visit.markers.front(), true, *memory);
         benchmark::DoNotOptimize(measured);
       }
     }

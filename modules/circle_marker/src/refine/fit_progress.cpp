@@ -29,7 +29,7 @@ namespace {
 constexpr int mostNoiseUpdates = 5;
 // Decrease of the noise's excess from step to step, and where it ends.
 constexpr double excessDecay = 0.5;
-constexpr double leastExcess = 0.3;
+constexpr double leastExcess = 0.6;
 // The matrix of a pass serves for the next ones as long as the outline has moved by less than this, in units of the
 // blur: by as much it is wrong. And as long as each step, in standard deviations, is shorter than the one before by
 // this factor.

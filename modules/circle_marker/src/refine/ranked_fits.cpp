@@ -69,16 +69,22 @@ bool isOnOneSide(const MarkerPlane &p, const MarkerPlane &q)
 Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> &starts, const MarkerPattern &pattern,
                        FitSettings settings, Fitter &fitter, const std::optional<FittedPose> &before)
 {
+  std::optional<Photometry> light; // of the best fit
   const auto enter = [&](const FittedPose &fit) {
     if (pattern.sectors > 0 && fit.isSettled && (!settings.rival || fit.noise < settings.rival->noise)) {
       settings.rival = Rival{fit.squares, fit.noise, givenUpOdds};
+      light = fit.photometry;
     }
   };
   if (before) {
     enter(*before);
   }
   Few<FittedPose> fits;
-  for (const FitStart &start : starts) {
+  for (FitStart start : starts) {
+    if (settings.sharesLight && light && !start.photometry) {
+      start.photometry = light;
+      start.noise = settings.rival->noise;
+    }
     const auto fit = fitter.fitPose(pixels, start, pattern, settings);
     settings.samePixels = true;
     if (fit) {
