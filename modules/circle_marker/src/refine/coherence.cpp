@@ -19,8 +19,8 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include "refine/grey_model.h"
 
@@ -40,17 +40,18 @@ constexpr double clearOfChance = 3.;
 constexpr double pullOfNoise = 0.6605;
 
 using PoseColumn = Eigen::Matrix<double, poseSize, 1>;
+using PoseMatrix = Eigen::Matrix<double, poseSize, poseSize>;
 
-// What a part of the pixels does to the pose; without its spin if that is not fitted.
-template <int fitted> struct Part
+// What a part of the pixels does to the pose, in coordinates in which that is known as well in all directions: there
+// independent noise of variance 1 gives it the covariance 1. A spin that is not fitted does not move.
+struct Part
 {
-  Eigen::Matrix<double, fitted, 1> motion = Eigen::Matrix<double, fitted, 1>::Zero(); // by its pull
-  // Covariance of that motion with independent noise of variance 1.
-  Eigen::Matrix<double, fitted, fitted> information = Eigen::Matrix<double, fitted, fitted>::Zero();
+  PoseColumn motion = PoseColumn::Zero();      // by its pull
+  PoseMatrix information = PoseMatrix::Zero(); // covariance of that motion with independent noise of variance 1
   bool isSeen = false;
 };
 
-template <int fitted> using Parts = std::array<Part<fitted>, directions>;
+using Parts = std::array<Part, directions>;
 
 // The influence times a part's matrix, of which the triangle is given, row by row. used: number of parameters.
 PoseInfluence movedBy(const ProductSums &products, const PoseInfluence &influence, int used)
@@ -68,50 +69,40 @@ PoseInfluence movedBy(const ProductSums &products, const PoseInfluence &influenc
   return moved;
 }
 
-// step: the last one from where the sums were made.
-template <int fitted>
-Part<fitted> partOf(const ProductSums &products, const PullSums &pulls, const PoseInfluence &influence,
-                    const ParameterVector &step, int used)
+// influence: in these coordinates; step: the last one from where the sums were made; used: number of parameters.
+Part partOf(const ProductSums &products, const PullSums &pulls, const PoseInfluence &influence,
+            const ParameterVector &step, int used)
 {
-  Part<fitted> part;
+  Part part;
   part.isSeen = products[0] > 0.;
   if (!part.isSeen) {
     return part;
   }
   const PoseInfluence moved = movedBy(products, influence, used);
-  PoseColumn motion = PoseColumn::Zero();
-  Eigen::Matrix<double, poseSize, poseSize> information = Eigen::Matrix<double, poseSize, poseSize>::Zero();
   for (int i = 0; i < used; ++i) {
-    motion += pulls[static_cast<std::size_t>(i)] * influence.col(i) - step[i] * moved.col(i);
-    information += moved.col(i).lazyProduct(influence.col(i).transpose());
+    part.motion += pulls[static_cast<std::size_t>(i)] * influence.col(i) - step[i] * moved.col(i);
+    part.information += moved.col(i).lazyProduct(influence.col(i).transpose());
   }
-  part.motion = motion.head<fitted>();
-  part.information = information.topLeftCorner<fitted, fitted>();
   return part;
 }
 
 // By how much the parts together move the pose more than independent noise would.
-template <int fitted> struct Excess
+struct Excess
 {
   double ratio = 1.; // mean over the pose's parameters; 1 if that is within chance
-  // The parts' covariance of the pose, with noise of variance 1 if it were independent.
-  Eigen::Matrix<double, fitted, fitted> covariance = Eigen::Matrix<double, fitted, fitted>::Zero();
+  PoseMatrix covariance = PoseMatrix::Zero(); // the parts' covariance of the pose, with noise of variance 1
 };
 
-// known: inverse of the covariance of the pose with independent noise of variance 1.
-template <int fitted>
-Excess<fitted> excessOf(const Parts<fitted> &parts, std::size_t count,
-                        const Eigen::Matrix<double, fitted, fitted> &known, double noise)
+// The first parts, so many; fitted: number of the pose's parameters that are fitted.
+Excess excessOf(const Parts &parts, std::size_t count, int fitted, double noise)
 {
-  using PoseMatrix = Eigen::Matrix<double, fitted, fitted>;
   PoseMatrix moved = PoseMatrix::Zero();
   double squaredShares = 0.;
   std::size_t seen = 0;
   for (std::size_t k = 0; k < count; ++k) {
-    const Part<fitted> &part = parts[k];
-    moved += part.motion * part.motion.transpose();
-    const PoseMatrix share = known.lazyProduct(part.information);
-    squaredShares += share.cwiseProduct(share.transpose()).sum() / fitted; // trace of its square
+    const Part &part = parts[k];
+    moved += part.motion.lazyProduct(part.motion.transpose());
+    squaredShares += part.information.squaredNorm() / fitted;
     seen += part.isSeen ? 1 : 0;
   }
   if (static_cast<double>(seen) < leastParts * static_cast<double>(count)) {
@@ -120,16 +111,16 @@ Excess<fitted> excessOf(const Parts<fitted> &parts, std::size_t count,
   // The motions' sum is 0 after the fit, which takes a little away; the share of each part in what is known tells how
   // much that is, and how much the ratio varies by chance.
   const PoseMatrix covariance = moved / (pullOfNoise * noise * noise * (1. - squaredShares));
-  const double ratio = known.cwiseProduct(covariance).sum() / fitted; // trace of the product
+  const double ratio = covariance.trace() / fitted;
   // By chance it is distributed as chi^2 / n, whose variance is 2 / n; its quantile by Wilson and Hilferty (Proceedings
   // of the National Academy of Sciences 17, 1931).
   const double perFreedom = 2. / 9. * squaredShares / fitted;
   const double mostByChance = std::pow(1. - perFreedom + clearOfChance * std::sqrt(perFreedom), 3.);
-  return ratio > mostByChance ? Excess<fitted>{ratio, covariance} : Excess<fitted>();
+  return ratio > mostByChance ? Excess{ratio, covariance} : Excess();
 }
 
 // The first of the parts become each one with the one that follows it.
-template <int fitted> void takeTogether(Parts<fitted> &parts, std::size_t count)
+void takeTogether(Parts &parts, std::size_t count)
 {
   for (std::size_t k = 0; k + 1 < count; k += 2) {
     parts[k / 2] = {parts[k].motion + parts[k + 1].motion, parts[k].information + parts[k + 1].information,
@@ -138,49 +129,46 @@ template <int fitted> void takeTogether(Parts<fitted> &parts, std::size_t count)
 }
 
 // The covariance widened: by the mean ratio, and in the directions in which the parts move the pose more than that, by
-// as much as they do there. Where they move it less they are too few to tell.
-template <int fitted>
-Eigen::Matrix<double, fitted, fitted> widened(const Eigen::Matrix<double, fitted, fitted> &covariance,
-                                              const Excess<fitted> &excess)
+// as much as they do there. Where they move it less they are too few to tell. root: of the covariance, L of L L'.
+PoseMatrix widened(const PoseMatrix &root, const Excess &excess)
 {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, fitted, fitted>> solver(excess.covariance,
-                                                                                               covariance);
-  const Eigen::Matrix<double, fitted, fitted> axes = covariance * solver.eigenvectors();
+  const Eigen::SelfAdjointEigenSolver<PoseMatrix> solver(excess.covariance);
+  const PoseMatrix axes = root * solver.eigenvectors();
   return axes * solver.eigenvalues().cwiseMax(excess.ratio).asDiagonal() * axes.transpose();
-}
-
-template <int fitted>
-CoherentCovariance coherentCovarianceOf(const PassSums &sums, const PoseInfluence &influence,
-                                        const ParameterVector &step, double noise, int used)
-{
-  const Eigen::Matrix<double, fitted, fitted> known = influence.topLeftCorner<fitted, fitted>().inverse();
-  Parts<fitted> parts;
-  const std::size_t seen = std::min(sums.products.size(), directions);
-  for (std::size_t k = 0; k < seen; ++k) {
-    parts[k] = partOf<fitted>(sums.products[k], sums.pulls[k], influence, step, used);
-  }
-  std::size_t count = directions;
-  Excess<fitted> largest = excessOf<fitted>(parts, count, known, noise);
-  while (count > leastCount) {
-    takeTogether<fitted>(parts, count);
-    count /= 2;
-    const Excess<fitted> excess = excessOf<fitted>(parts, count, known, noise);
-    largest = excess.ratio > largest.ratio ? excess : largest;
-  }
-  CoherentCovariance coherent = {influence.leftCols<poseSize>(), largest.ratio};
-  if (coherent.ratio > 1.) {
-    coherent.covariance.topLeftCorner(fitted, fitted) =
-        widened<fitted>(coherent.covariance.template topLeftCorner<fitted, fitted>(), largest);
-  }
-  return coherent;
 }
 } // namespace
 
 CoherentCovariance Likelihood::coherentCovariance(const PoseInfluence &influence, const ParameterVector &step,
                                                   double noise, int used) const
 {
-  return m_settings.spinIsKnown ? coherentCovarianceOf<poseSize>(m_memory.sums, influence, step, noise, used)
-                                : coherentCovarianceOf<spinAt>(m_memory.sums, influence, step, noise, used);
+  CoherentCovariance coherent = {influence.leftCols<poseSize>(), 1.};
+  const int fitted = m_settings.spinIsKnown ? poseSize : spinAt;
+  const Eigen::LLT<PoseMatrix> decomposed(coherent.covariance);
+  // Of a spin that is not fitted the equations have a 1 on the diagonal and nothing else, and so has the root.
+  const PoseMatrix root = decomposed.matrixL();
+  if (decomposed.info() != Eigen::Success) {
+    return coherent;
+  }
+  PoseInfluence even = root.triangularView<Eigen::Lower>().solve(influence);
+  even.bottomRows(poseSize - fitted).setZero();
+  Parts parts;
+  const std::size_t seen = std::min(m_memory.sums.products.size(), directions);
+  for (std::size_t k = 0; k < seen; ++k) {
+    parts[k] = partOf(m_memory.sums.products[k], m_memory.sums.pulls[k], even, step, used);
+  }
+  std::size_t count = directions;
+  Excess largest = excessOf(parts, count, fitted, noise);
+  while (count > leastCount) {
+    takeTogether(parts, count);
+    count /= 2;
+    const Excess excess = excessOf(parts, count, fitted, noise);
+    largest = excess.ratio > largest.ratio ? excess : largest;
+  }
+  coherent.ratio = largest.ratio;
+  if (coherent.ratio > 1.) {
+    coherent.covariance = widened(root, largest);
+  }
+  return coherent;
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

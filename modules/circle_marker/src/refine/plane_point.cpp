@@ -23,15 +23,17 @@ PlanePoint planePoint(const ModelPixel &pixel, const MarkerPlane &plane)
 {
   const Eigen::Vector3d ray(pixel.meter.x(), pixel.meter.y(), 1.);
   const Eigen::Vector3d normal = plane.rotation.col(2);
-  const double slope = normal.dot(ray);
-  const double depth = normal.dot(plane.center) / slope;
-  const Eigen::Vector3d m = depth * ray - plane.center;
+  const double perSlope = 1. / normal.dot(ray);
+  const double perRadius = 1. / plane.radius;
+  const double depth = normal.dot(plane.center) * perSlope * perRadius; // in radii
+  const Eigen::Vector3d center = perRadius * plane.center;
   PlanePoint point;
   for (int axis = 0; axis < 2; ++axis) {
     const Eigen::Vector3d e = plane.rotation.col(axis);
-    point.q[axis] = e.dot(m) / plane.radius;
-    const Eigen::Vector3d byRay = depth * (e - e.dot(ray) / slope * normal) / plane.radius;
-    point.byPixel.row(axis) = byRay.head<2>().transpose() * pixel.meterPerPixel;
+    const double along = e.dot(ray);
+    point.q[axis] = depth * along - e.dot(center);
+    const Eigen::Vector2d byRay = depth * (e - along * perSlope * normal).head<2>();
+    point.byPixel.row(axis) = byRay.transpose() * pixel.meterPerPixel;
   }
   if (plane.bend.isAny()) {
     // q' = q + h(q') s with the ray's slant s, whose own derivative is that of q over the camera's distance; the shift

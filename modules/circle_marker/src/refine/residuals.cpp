@@ -124,23 +124,33 @@ double Likelihood::costOfResiduals(const MarkerPlane &plane, const Photometry &p
 
 Explanation Likelihood::explain(double noise) const
 {
-  double n = 0., x = 0., y = 0., xx = 0., xy = 0., yy = 0., inliers = 0.;
+  // Weights, grey levels of model and image and their products, and inliers. Summed up in lanes: from a grey level in the
+  // middle, so that the variances are no small differences of large sums.
+  constexpr float middle = 128.f;
+  std::array<Lanes, 7> sums;
+  for (Lanes &lanes : sums) {
+    lanes.setZero();
+  }
   std::size_t k = 0;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
     const Lanes &residual = m_memory.residuals[k++];
     const LossLanes loss = biweight(residual, block.variance, static_cast<float>(noise));
     const Lanes &w = loss.weight;
-    const Lanes model = block.grey - residual;
+    const Lanes image = block.grey - middle;
+    const Lanes model = image - residual;
     const Lanes wx = w * model;
-    const Lanes wy = w * block.grey;
-    n += static_cast<double>(w.sum());
-    x += static_cast<double>(wx.sum());
-    y += static_cast<double>(wy.sum());
-    xx += static_cast<double>((wx * model).sum());
-    xy += static_cast<double>((wx * block.grey).sum());
-    yy += static_cast<double>((wy * block.grey).sum());
-    inliers += static_cast<double>((loss.kept * holdsPixel(block)).sum());
+    const Lanes wy = w * image;
+    sums[0] += w;
+    sums[1] += wx;
+    sums[2] += wy;
+    sums[3] += wx * model;
+    sums[4] += wx * image;
+    sums[5] += wy * image;
+    sums[6] += loss.kept * holdsPixel(block);
   });
+  const auto total = [&sums](std::size_t i) { return static_cast<double>(sums[i].sum()); };
+  const double n = total(0), x = total(1), y = total(2), xx = total(3), xy = total(4), yy = total(5);
+  const double inliers = total(6);
   const auto pixels =
       static_cast<double>(m_memory.blocks.count[0] + m_memory.blocks.count[1] + m_memory.blocks.count[2]);
   const double denominator = std::sqrt((n * xx - x * x) * (n * yy - y * y));
