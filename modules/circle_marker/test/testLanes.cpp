@@ -18,6 +18,7 @@
 #include "testRoomTools.h"
 
 #include "refine/lane_lists.h"
+#include "refine/lane_tables.h"
 
 using namespace circle_marker;
 using namespace room_test;
@@ -82,5 +83,44 @@ TEST(Lanes, BelowABound)
     }
     const LaneList list = lanesBelow(values, 1.f);
     EXPECT_EQ(std::vector<int>(list.lanes.begin(), list.lanes.begin() + list.count), expected);
+  }
+}
+
+TEST(Lanes, EntriesOfATable)
+{
+  LaneTable table;
+  for (std::size_t k = 0; k < table.entries.size(); ++k) {
+    table.entries[k] = static_cast<float>(k * k);
+  }
+  Random random = randomOfTest();
+  for (int i = 0; i < 100; ++i) {
+    const Lanes number = lanesOf([&](int) { return static_cast<float>(uniform(random, 0., 31.999)); });
+    const Lanes entries = entriesOf(table, number);
+    for (int lane = 0; lane < laneCount; ++lane) {
+      EXPECT_EQ(entries[lane], std::pow(std::floor(number[lane]), 2.f));
+    }
+  }
+}
+
+TEST(Lanes, WhatIsNoNumberOfAnEntryReadsNothingBesideTheTable)
+{
+  LaneTable table;
+  table.entries.fill(3.f);
+  Lanes number;
+  number << -1e30f, -1.f, 32.f, 1e30f, HUGE_VALF, -HUGE_VALF, std::nanf(""), 31.9f;
+  const Lanes entries = entriesOf(table, number);
+  for (int lane = 0; lane < laneCount; ++lane) {
+    EXPECT_EQ(entries[lane], 3.f) << number[lane];
+  }
+}
+
+TEST(Lanes, AsBytes)
+{
+  Lanes number;
+  number << 0.f, 1.f, 2.f, 127.f, 128.f, 200.f, 254.f, 255.f;
+  std::array<unsigned char, laneCount> bytes;
+  writeBytes(number, bytes.data());
+  for (int lane = 0; lane < laneCount; ++lane) {
+    EXPECT_EQ(static_cast<float>(bytes[static_cast<std::size_t>(lane)]), number[lane]);
   }
 }

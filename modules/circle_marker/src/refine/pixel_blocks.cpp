@@ -189,9 +189,7 @@ public:
       const Lanes group = groupOf(sight, point.radius, margin, angle);
       // A pixel that does not see the plane has any place, but in the table.
       const Lanes bins = binOf(sight, direction, group).max(0.f).min(lastBin);
-      for (std::size_t k = 0; k < laneCount; ++k) {
-        m_blocks.bins[first + k] = static_cast<unsigned char>(static_cast<int>(bins[static_cast<Eigen::Index>(k)]));
-      }
+      writeBytes(bins, &m_blocks.bins[first]);
     }
     std::array<unsigned int, firstBin[pixelSights] + 1> start = {};
     for (std::size_t k = 0; k < m_pixels.size(); ++k) {

@@ -23,10 +23,10 @@
 #ifndef VP_CIRCLE_MARKER_SECTOR_TABLE_H
 #define VP_CIRCLE_MARKER_SECTOR_TABLE_H
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "refine/lane_tables.h"
 #include "refine/marker_pattern.h"
 #include "refine/pixel_blocks.h"
 
@@ -56,30 +56,27 @@ public:
   {
     for (unsigned int sector = 0; sector < pattern.sectors; ++sector) {
       const int nearest = static_cast<int>(sector);
-      View &view = m_views[sector];
-      view.acrossX = static_cast<float>(pattern.acrossBorder(nearest).x());
-      view.acrossY = static_cast<float>(pattern.acrossBorder(nearest).y());
+      m_acrossX.entries[sector] = static_cast<float>(pattern.acrossBorder(nearest).x());
+      m_acrossY.entries[sector] = static_cast<float>(pattern.acrossBorder(nearest).y());
       const int first = nearest - borders / 2;
       float before = pattern.darknessOf(first - 1);
-      view.base = before;
+      m_base.entries[sector] = before;
       for (int k = 0; k < borders; ++k) {
         const float after = pattern.darknessOf(first + k);
-        view.change[static_cast<std::size_t>(k)] = after - before;
+        m_change[static_cast<std::size_t>(k)].entries[sector] = after - before;
         before = after;
       }
-      m_isEdge[sector] = pattern.darknessOf(nearest) != pattern.darknessOf(nearest - 1) ? 1.f : 0.f;
-      m_isEdge[sector + pattern.sectors] = m_isEdge[sector];
+      m_isEdge.entries[sector] = pattern.darknessOf(nearest) != pattern.darknessOf(nearest - 1) ? 1.f : 0.f;
     }
-    m_last = std::max(0, 2 * static_cast<int>(pattern.sectors) - 1);
   }
 
   // 1 for pixels at an angle on the plane that are farther than a margin from the border nearest to them, or have none
   // there, else 0.
   Lanes seesNoBorder(const Lanes &radius, const Lanes &margin, const Lanes &angle) const
   {
-    const Lanes turned = angle * (m_sectors * 0.15915494f) + (m_sectors + 0.5f);
+    const Lanes turned = bordersFrom(angle);
     const Lanes border = turned.floor();
-    const Lanes isEdge = lanesOf([&](int lane) { return m_isEdge[numberOf(border[lane])]; });
+    const Lanes isEdge = entriesOf(m_isEdge, numberOf(border));
     const Lanes away = (turned - border - 0.5f).abs() * (6.2831853f / m_sectors) * radius;
     return (isPositive(away - margin) + 1.f - isEdge).min(1.f);
   }
@@ -87,39 +84,26 @@ public:
   // Puts what the pixels of a block see that are at (x, y) on the marker's plane.
   void put(const Lanes &x, const Lanes &y, SectorLanes &sectors) const
   {
-    // Borders from -n / 2 to n / 2, shifted by n so that cutting off rounds them.
-    const Lanes nearest = roughAngle(x, y) * (m_sectors * 0.15915494f) + (m_sectors + 0.5f);
-    const auto count = static_cast<std::size_t>(m_sectors);
-    std::array<const View *, laneCount> views;
-    for (int lane = 0; lane < laneCount; ++lane) {
-      const std::size_t border = numberOf(nearest[lane]);
-      views[static_cast<std::size_t>(lane)] = &m_views[border < count ? border : border - count];
-    }
-    const auto view = [&views](int lane) -> const View & { return *views[static_cast<std::size_t>(lane)]; };
-    sectors.acrossX = lanesOf([&](int lane) { return view(lane).acrossX; });
-    sectors.acrossY = lanesOf([&](int lane) { return view(lane).acrossY; });
-    sectors.base = lanesOf([&](int lane) { return view(lane).base; });
+    const Lanes border = numberOf(bordersFrom(roughAngle(x, y)).floor());
+    sectors.acrossX = entriesOf(m_acrossX, border);
+    sectors.acrossY = entriesOf(m_acrossY, border);
+    sectors.base = entriesOf(m_base, border);
     for (int k = 0; k < m_borders; ++k) {
-      sectors.change[k + (mostBorders - m_borders) / 2] =
-          lanesOf([&](int lane) { return view(lane).change[static_cast<std::size_t>(k)]; });
+      sectors.change[k + (mostBorders - m_borders) / 2] = entriesOf(m_change[static_cast<std::size_t>(k)], border);
     }
   }
 
 private:
-  struct View
-  {
-    float acrossX, acrossY, base;
-    std::array<float, mostBorders> change;
-  };
-  // A border's number from the turn before on.
-  std::size_t numberOf(float border) const
-  {
-    return static_cast<std::size_t>(std::clamp(static_cast<int>(border), 0, m_last));
-  }
+  // Angles counted in sectors, from -n / 2 to n / 2, shifted by n so that cutting off rounds to the nearest border.
+  Lanes bordersFrom(const Lanes &angle) const { return angle * (m_sectors * 0.15915494f) + (m_sectors + 0.5f); }
 
-  std::array<View, 31> m_views;
-  std::array<float, 62> m_isEdge{}; // of two turns: 1 if the sectors to its sides differ
-  int m_last = 0;                   // border of the two turns
+  // A border's number, of one from that turn or the turn before.
+  Lanes numberOf(const Lanes &border) const { return border - m_sectors * isPositive(border - (m_sectors - 0.5f)); }
+
+  // Of each border.
+  LaneTable m_acrossX, m_acrossY, m_base;
+  std::array<LaneTable, mostBorders> m_change;
+  LaneTable m_isEdge; // 1 if the sectors to its sides differ
   float m_sectors;
   int m_borders;
 };
