@@ -31,9 +31,11 @@ TEST(Lanes, NormalDistribution)
       z[lane] = static_cast<float>(start + 0.01 * lane);
     }
     const NormalLanes normal = normalOf(z);
+    const Lanes alone = cumulativeOf(z);
     for (int lane = 0; lane < laneCount; ++lane) {
       const double x = static_cast<double>(z[lane]);
       EXPECT_NEAR(normal.cumulative[lane], 0.5 * std::erfc(-x * M_SQRT1_2), 3e-7) << x;
+      EXPECT_NEAR(alone[lane], 0.5 * std::erfc(-x * M_SQRT1_2), 1e-6) << x;
       EXPECT_NEAR(normal.density[lane], std::exp(-0.5 * x * x) / std::sqrt(2. * M_PI), 1e-7) << x;
     }
   }
@@ -47,6 +49,7 @@ TEST(Lanes, FarAwayIsNeitherInfiniteNorUnknown)
   const float expected[laneCount] = {0.f, 0.f, 0.f, 0.5f, 0.5f, 1.f, 1.f, 1.f};
   for (int lane = 0; lane < laneCount; ++lane) {
     EXPECT_NEAR(normal.cumulative[lane], expected[lane], 1e-6) << z[lane];
+    EXPECT_NEAR(cumulativeOf(z)[lane], expected[lane], 1e-6) << z[lane];
     EXPECT_TRUE(std::isfinite(normal.density[lane]));
   }
 }

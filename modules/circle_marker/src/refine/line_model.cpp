@@ -131,8 +131,8 @@ LineModel::Chord LineModel::chordOf(const Line &line, float radius, const Lanes 
   const Lanes first = ((-b - half) * perA - isCrossed * growth).max(-6.5f).min(6.5f);
   const Lanes second = ((-b + half) * perA + isCrossed * growth).max(-6.5f).min(6.5f);
   Chord chord;
-  chord.after = normalOf(second).cumulative;
-  chord.before = first.maxCoeff() < -farFromCrossing ? Lanes(Lanes::Zero()) : normalOf(first).cumulative;
+  chord.after = cumulativeOf(second);
+  chord.before = first.maxCoeff() < -farFromCrossing ? Lanes(Lanes::Zero()) : cumulativeOf(first);
   return chord;
 }
 
@@ -197,7 +197,7 @@ Lanes LineModel::trackAlong(const Line &line, const Crossings &crossings) const
       before = isPositive(grown);
     }
     else {
-      before = normalOf(grown.max(-6.5f).min(6.5f)).cumulative;
+      before = cumulativeOf(grown);
     }
     const auto beyond = [&before](const Chord &chord) -> Lanes {
       return chord.after - before.max(chord.before).min(chord.after);
