@@ -67,7 +67,7 @@ struct FitSettings
   double convergence = 0.15;
   std::optional<Rival> rival; //!< Who a fit has to be better than to go on.
   Deadline deadline;          //!< When to stop, with nothing.
-  bool sharesLight = false;   //!< Whether starts without photometry take that of a fit before them, and its noise.
+  bool sharesLight = false;   //!< Whether a fit that has settled gives the next one its light and noise, the last then.
   bool samePixels = false;    //!< Whether pixels and print are those of the fit before: what is sorted may serve again.
 };
 

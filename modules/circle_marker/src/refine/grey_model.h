@@ -27,6 +27,7 @@
 #include <array>
 #include <cmath>
 
+#include "refine/light_lanes.h"
 #include "refine/likelihood.h"
 
 BEGIN_VISP_NAMESPACE
@@ -94,13 +95,6 @@ inline ShadowLanes shadowOf(const PixelBlock &block, const Shadow &shadow)
   lanes.by[2] = slope;                                                   // edge
   lanes.by[3] = slope * z.max(-6.5f).min(6.5f);                          // softness
   return lanes;
-}
-
-// The light without a shadow, in units of that at the marker's centre.
-inline Lanes lightOf(const PixelBlock &block, const Photometry &photometry)
-{
-  const Eigen::Vector2f gradient = photometry.lightGradient.cast<float>();
-  return (1.f + gradient.x() * block.offsetU + gradient.y() * block.offsetV).max(static_cast<float>(leastLight));
 }
 
 // Where the sensor's grey levels end: a pixel that should be brighter than this is this bright.

@@ -23,7 +23,7 @@
 #include <Eigen/LU>
 
 #include "refine/sector_table.h"
-#include "refine/surround.h"
+#include "refine/surround_lanes.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -48,60 +48,21 @@ int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, const Bl
   return std::min(distance < 0.5 * sector ? 1 : distance < 1.5 * sector ? 3 : 5, mostSeen);
 }
 
-// What the surround may do to a pixel: something between nothing and all of its share.
-void putSurround(const FitPixel &pixel, const PlanePoint &point, const PaperEnds &papers, const Photometry &photometry,
-                 double noise, Eigen::Index lane, SurroundLanes &surround, PixelBlock &block)
+// The pixels of a block by their numbers: one that is not full has its last pixel again in the other lanes.
+std::array<const FitPixel *, laneCount> pixelsOf(const std::vector<FitPixel> &pixels, const unsigned int *numbers,
+                                                 std::size_t count)
 {
-  const double light = photometry.whiteAt(pixel.offset.cast<double>());
-  double variance = 0.;
-  double most = 0.;
-  double byEnd = 0.; // change of the grey level by where the paper ends
-  for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-    const BeyondPaper &beyond = pixel.beyond[shape];
-    if (beyond.share <= 0.f) {
-      continue;
-    }
-    // The pose is better known than when the pixel was chosen.
-    const auto [share, byDistance] = shareBeyond(point, papers[shape], photometry.blur.sigma);
-    double doubt = 0.25 * light * light; // where nothing is seen of it, anything is possible
-    if (std::isfinite(beyond.spread)) {
-      const auto grey = static_cast<double>(beyond.grey);
-      const auto spread = static_cast<double>(beyond.spread);
-      surround.share[shape][lane] = static_cast<float>(share);
-      surround.beyond[shape][lane] = beyond.grey;
-      most = std::max(most, share * std::abs(grey - light));
-      byEnd += byDistance * photometry.surround[shape] * (grey - light);
-      // Noise alone spreads the few looks: by as much, and half as much again by chance.
-      doubt = std::max(spread * spread - 2. * noise * noise, 0.);
-      doubt *= photometry.surround[shape] * photometry.surround[shape];
-    }
-    variance = std::max(variance, share * share * doubt);
+  std::array<const FitPixel *, laneCount> chosen;
+  for (std::size_t k = 0; k < laneCount; ++k) {
+    chosen[k] = &pixels[numbers[std::min(k, count - 1)]];
   }
-  surround.spread[lane] = static_cast<float>(most);
-  block.variance[lane] = static_cast<float>(variance + photometry.unevenShare * photometry.unevenShare * most * most +
-                                            std::pow(photometry.endError * byEnd, 2.));
+  return chosen;
 }
 
-// The same for the first \e count pixels of a block, by their numbers; point: where all are on the marker.
-void putSurroundOfBlock(const std::vector<FitPixel> &pixels, const unsigned int *numbers, std::size_t count,
-                        const PlaneLanes &point, const PaperEnds &papers, const Photometry &photometry, double noise,
-                        SurroundLanes &surround, PixelBlock &block)
+// Variance of a block's lanes of which the first ones, so many, hold a pixel.
+Lanes holdingOnly(std::size_t count)
 {
-  for (Lanes *lanes :
-       {&surround.share[0], &surround.share[1], &surround.beyond[0], &surround.beyond[1], &surround.spread}) {
-    lanes->setZero();
-  }
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto lane = static_cast<Eigen::Index>(k);
-    block.variance[lane] = 0.f;
-    const FitPixel &pixel = pixels[numbers[k]];
-    if (pixel.seesSurround()) {
-      PlanePoint there;
-      there.q << point.qx[lane], point.qy[lane];
-      there.byPixel << point.qxByU[lane], point.qxByV[lane], point.qyByU[lane], point.qyByV[lane];
-      putSurround(pixel, there, papers, photometry, noise, lane, surround, block);
-    }
-  }
+  return lanesOf([&](int lane) { return static_cast<std::size_t>(lane) < count ? 0.f : noPixel; });
 }
 
 // What pixels may see that see from one radius to another, as the numbers of PixelSight.
@@ -275,20 +236,16 @@ private:
     }
   }
 
-  // A block that is not full has its last pixel again in the other lanes, where it counts nothing.
   void fillBlock(const unsigned int *sorted, std::size_t count, PixelSight sight, PixelBlock &block)
   {
-    std::array<const FitPixel *, laneCount> pixels;
-    bool seesSurround = false;
-    for (std::size_t k = 0; k < laneCount; ++k) {
-      pixels[k] = &m_pixels[sorted[std::min(k, count - 1)]];
-      seesSurround = seesSurround || pixels[k]->seesSurround();
-    }
+    const std::array<const FitPixel *, laneCount> pixels = pixelsOf(m_pixels, sorted, count);
+    const bool seesSurround =
+        std::any_of(pixels.begin(), pixels.end(), [](const FitPixel *pixel) { return pixel->seesSurround(); });
     const auto pixel = [&pixels](int lane) -> const FitPixel & { return *pixels[static_cast<std::size_t>(lane)]; };
     block.offsetU = lanesOf([&](int lane) { return pixel(lane).offset.x(); });
     block.offsetV = lanesOf([&](int lane) { return pixel(lane).offset.y(); });
     block.grey = lanesOf([&](int lane) { return pixel(lane).grey; });
-    block.variance = lanesOf([&](int lane) { return static_cast<std::size_t>(lane) < count ? 0.f : noPixel; });
+    block.variance = holdingOnly(count);
     placeOf(pixels, block.place);
     block.correction.setZero();
     block.sectors = PixelBlock::none;
@@ -304,8 +261,8 @@ private:
     }
     if (seesSurround) {
       block.surround = m_blocks.surrounds.size();
-      putSurroundOfBlock(m_pixels, sorted, count, point, m_pattern.paper, m_photometry, m_noise,
-                         m_blocks.surrounds.emplace_back(), block);
+      putSurround(pixels, point, m_pattern.paper, m_photometry, static_cast<float>(m_noise), block,
+                  m_blocks.surrounds.emplace_back());
     }
   }
 
@@ -386,8 +343,9 @@ void judgeSurround(const std::vector<FitPixel> &pixels, const MarkerPlane &plane
       const auto count = std::min<std::size_t>(laneCount, static_cast<std::size_t>(end - first));
       if (block.surround != PixelBlock::none) {
         homography.apply(block.place, point);
-        putSurroundOfBlock(pixels, first, count, point, pattern.paper, photometry, noise,
-                           blocks.surrounds[block.surround], block);
+        block.variance = holdingOnly(count);
+        putSurround(pixelsOf(pixels, first, count), point, pattern.paper, photometry, static_cast<float>(noise), block,
+                    blocks.surrounds[block.surround]);
       }
       first += count;
     }

@@ -23,6 +23,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "refine/fit_starts.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
@@ -69,11 +71,11 @@ bool isOnOneSide(const MarkerPlane &p, const MarkerPlane &q)
 Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> &starts, const MarkerPattern &pattern,
                        FitSettings settings, Fitter &fitter, const std::optional<FittedPose> &before)
 {
-  std::optional<Photometry> light; // of the best fit
+  std::optional<FittedPose> best;
   const auto enter = [&](const FittedPose &fit) {
-    if (pattern.sectors > 0 && fit.isSettled && (!settings.rival || fit.noise < settings.rival->noise)) {
+    if (pattern.sectors > 0 && fit.isSettled && (!best || fit.noise < best->noise)) {
+      best = fit;
       settings.rival = Rival{fit.squares, fit.noise, givenUpOdds};
-      light = fit.photometry;
     }
   };
   if (before) {
@@ -81,15 +83,22 @@ Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> 
   }
   Few<FittedPose> fits;
   for (FitStart start : starts) {
-    if (settings.sharesLight && light && !start.photometry) {
-      start.photometry = light;
-      start.noise = settings.rival->noise;
+    const bool isSecond = settings.sharesLight && best && !start.photometry;
+    if (isSecond) {
+      start.photometry = best->photometry;
+      start.noise = best->noise;
+      if (starts.size() > 2) { // they face the camera: what is left is the mirror image of where one has led
+        start.plane = mirrored(best->plane);
+      }
     }
     const auto fit = fitter.fitPose(pixels, start, pattern, settings);
     settings.samePixels = true;
     if (fit) {
       fits.push_back(*fit);
       enter(*fit);
+    }
+    if (fit && isSecond) {
+      break;
     }
   }
   return fits;
