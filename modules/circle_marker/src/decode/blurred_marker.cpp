@@ -27,32 +27,15 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Blur of a sharp picture, lens 0.75 and pixel area 0.29, pixels.
-constexpr double commonBlur = 0.8;
-// Points of a line of motion; rings of points of a disc, beside its centre, with 6 and 12 points.
-constexpr int linePoints = 9;
-constexpr int discRings = 2;
-// Below this radius of the disc, or length of the way, pixels, the kernel is a point.
-constexpr double leastKernel = 0.3;
 // Weight, in samples, that holds a sector to the middle between black and white: less than a tenth of a sample's own.
 constexpr double sectorPrior = 0.05;
 // Share of the quiet zone that samples may see.
 constexpr double seenQuietZone = 0.9;
-// Steps by which derivatives are taken: radii and rad, and pixels. Small: the depth is a difference of things that are
-// known a hundred times better, and the second derivative's share of a step of 1e-3 hides its slope.
-constexpr double poseStep = 1e-5;
-constexpr double blurStep = 5e-4;
 // What is left between model and image is the model's error more than noise, and much the same in neighbouring samples:
 // the information of about so many counts once, of a plain ring, which the model's errors shift as a whole, of more.
 // The numbers are guesses; bench-circle-marker --hardships has what they are worth.
 constexpr double coherenceOfCode = 4.;
 constexpr double coherenceOfRing = 16.;
-
-// Share of what lies below an edge at \e distance (positive: inside), in units of the width of its ramp.
-double ramp(double distance)
-{
-  return std::clamp(distance + 0.5, 0., 1.);
-}
 
 void move(const Eigen::Matrix<double, 6, 1> &twist, MarkerPlane &plane)
 {
@@ -64,110 +47,11 @@ void move(const Eigen::Matrix<double, 6, 1> &twist, MarkerPlane &plane)
 }
 } // namespace
 
-void BlurredMarker::setPose(const MarkerPlane &plane, const ImageBlur &blur)
-{
-  const Eigen::Vector3d normal = plane.rotation.col(2);
-  const double depth = normal.dot(plane.center);
-  for (int row = 0; row < 2; ++row) {
-    const Eigen::Vector3d axis = plane.rotation.col(row);
-    m_toPlane.row(row) = (depth * axis - axis.dot(plane.center) * normal).transpose() / plane.radius;
-  }
-  m_toPlane.row(2) = normal.transpose();
-  m_kernel.clear();
-  double variance = commonBlur * commonBlur + (m_block * m_block - 1.) / 12.;
-  if (blur.disc > leastKernel) {
-    m_kernel.emplace_back(0., 0.);
-    int count = 1;
-    for (int ring = 1; ring <= discRings; ++ring) {
-      const int points = 6 * ring;
-      // Each ring of points stands for a ring of the disc with its share of the area.
-      const double inner = static_cast<double>(count) / 19.;
-      const double outer = static_cast<double>(count + points) / 19.;
-      const double radius = blur.disc * std::sqrt(0.5 * (inner + outer));
-      for (int i = 0; i < points; ++i) {
-        const double angle = 2. * M_PI * (i + 0.5 * ring) / points;
-        m_kernel.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
-      }
-      count += points;
-    }
-    variance += blur.disc * blur.disc / (4. * 19.);
-  }
-  else if (blur.motion.norm() > leastKernel) {
-    for (int i = 0; i < linePoints; ++i) {
-      m_kernel.push_back(((i + 0.5) / linePoints - 0.5) * blur.motion);
-    }
-    variance += blur.motion.squaredNorm() / (24. * linePoints * linePoints);
-  }
-  else {
-    m_kernel.emplace_back(0., 0.);
-  }
-  m_steps.clear();
-  for (Eigen::Vector2d &point : m_kernel) {
-    point = m_meterPerPixel * point;
-    m_steps.emplace_back(m_toPlane.leftCols<2>() * point);
-  }
-  m_sigma = std::sqrt(variance);
-}
-
-void BlurredMarker::see(const BlurredSample &sample, Point &point) const
-{
-  constexpr double rampPerSigma = 3.46; // a ramp of this width has a standard deviation of 1
-  constexpr double leastRadius = 1e-3;  // nearer to the centre there is nothing, and no direction
-  const Eigen::Vector3d h = m_toPlane * sample.meter.homogeneous();
-  const Eigen::Vector2d center = h.head<2>() / h.z();
-  const Eigen::Matrix2d byPixel =
-      (m_toPlane.topLeftCorner<2, 2>() - center * m_toPlane.bottomLeftCorner<1, 2>()) / h.z() * m_meterPerPixel;
-  const double width = rampPerSigma * m_sigma; // pixels
-  const Eigen::Matrix2d metric = width * width * byPixel * byPixel.transpose();
-  point.ring = 0.;
-  std::fill_n(point.sector.begin(), m_sectors, 0.);
-  const double share = 1. / static_cast<double>(m_kernel.size());
-  const double perSector = m_sectors / (2. * M_PI);
-  for (const Eigen::Vector3d &step : m_steps) {
-    const double perZ = 1. / (h.z() + step.z());
-    double x = (h.x() + step.x()) * perZ;
-    const double y = (h.y() + step.y()) * perZ;
-    x = std::abs(x) + std::abs(y) < leastRadius ? leastRadius : x;
-    const double squared = x * x + y * y;
-    const double r = std::sqrt(squared);
-    // Width of a ramp across the radius: that of the blur on the print in the direction (x, y) / r.
-    const double along = metric(0, 0) * x * x + 2. * metric(0, 1) * x * y + metric(1, 1) * y * y;
-    const double perWidth = r / std::sqrt(along);
-    point.ring += share * (ramp((1. - r) * perWidth) - ramp((m_layout.ringInner - r) * perWidth));
-    const double track = ramp((m_layout.codeOuter - r) * perWidth) - ramp((m_layout.codeInner - r) * perWidth);
-    if (track <= 0.) {
-      continue;
-    }
-    const double across = metric(0, 0) * y * y - 2. * metric(0, 1) * x * y + metric(1, 1) * x * x;
-    const double angular = std::min(std::sqrt(across) / squared * perSector, 1.); // of a sector
-    double place = std::atan2(y, x) * perSector;
-    place += place < 0. ? m_sectors : 0.;
-    const int sector = std::min(static_cast<int>(place), m_sectors - 1);
-    const double inside = place - sector;
-    const double before = 1. - ramp(inside / angular);
-    const double after = 1. - ramp((1. - inside) / angular);
-    point.sector[static_cast<std::size_t>(sector)] += share * track * (1. - before - after);
-    point.sector[static_cast<std::size_t>((sector + m_sectors - 1) % m_sectors)] += share * track * before;
-    point.sector[static_cast<std::size_t>((sector + 1) % m_sectors)] += share * track * after;
-  }
-}
-
 // Whether the deadline has passed, asked every few samples: each is 9 or 19 points of the print, some microseconds.
 bool BlurredMarker::isOver(Eigen::Index sample) const
 {
   constexpr Eigen::Index samplesAtOnce = 64;
   return sample % samplesAtOnce == 0 && m_deadline.hasPassed();
-}
-
-double BlurredMarker::darkness(const BlurredSample &sample, const Eigen::VectorXd &linear) const
-{
-  Point point;
-  see(sample, point);
-  double sum = linear[BlurredFit::ringAt] * point.ring;
-  for (int k = 0; k < m_sectors; ++k) {
-    sum += linear[BlurredFit::firstSector + k] * point.sector[static_cast<std::size_t>(k)];
-  }
-  return sum;
 }
 
 void BlurredMarker::select(const MarkerPlane &plane, const ImageBlur &blur, std::size_t count)
@@ -190,7 +74,7 @@ void BlurredMarker::select(const MarkerPlane &plane, const ImageBlur &blur, std:
   const double area = 0.785 * size.x() * size.y();
   const int block = std::max(1, static_cast<int>(std::lround(std::sqrt(area / static_cast<double>(count)))));
   m_block = block;
-  setPose(plane, blur);
+  m_print.set(plane, blur, m_meterPerPixel, m_block);
   const int left = std::max(0, static_cast<int>(std::ceil(least.x())));
   const int top = std::max(0, static_cast<int>(std::ceil(least.y())));
   const int right = std::min(static_cast<int>(m_image.getWidth()), static_cast<int>(most.x()) + 1);
@@ -200,11 +84,7 @@ void BlurredMarker::select(const MarkerPlane &plane, const ImageBlur &blur, std:
       BlurredSample sample;
       sample.pixel = Eigen::Vector2d(x + 0.5 * (block - 1), y + 0.5 * (block - 1));
       sample.meter = m_camera.toMeter(sample.pixel);
-      const bool isInside = std::all_of(m_kernel.begin(), m_kernel.end(), [&](const Eigen::Vector2d &offset) {
-        const Eigen::Vector3d k = m_toPlane * (sample.meter + offset).homogeneous();
-        return k.head<2>().squaredNorm() < radius * radius * k.z() * k.z();
-      });
-      if (!isInside) {
+      if (!m_print.isWithin(sample.meter, radius)) {
         continue;
       }
       int sum = 0;
@@ -221,26 +101,26 @@ void BlurredMarker::select(const MarkerPlane &plane, const ImageBlur &blur, std:
 
 void BlurredMarker::solve(BlurredFit &fit)
 {
-  setPose(fit.plane, fit.blur);
+  m_print.set(fit.plane, fit.blur, m_meterPerPixel, m_block);
   const int columns = BlurredFit::firstSector + m_sectors;
   const auto rows = static_cast<Eigen::Index>(m_samples.size());
   Eigen::MatrixXd design(rows, columns);
   Eigen::VectorXd greys(rows);
+  PrintShares shares;
   for (Eigen::Index i = 0; i < rows; ++i) {
     if (isOver(i)) {
       fit.squares = HUGE_VAL;
       return;
     }
     const BlurredSample &sample = m_samples[static_cast<std::size_t>(i)];
-    Point point;
-    see(sample, point);
+    m_print.see(sample.meter, shares);
     const Eigen::Vector2d offset = (sample.pixel - m_center) / m_extent;
     design(i, 0) = 1.;
     design(i, 1) = offset.x();
     design(i, 2) = offset.y();
-    design(i, BlurredFit::ringAt) = -point.ring;
+    design(i, BlurredFit::ringAt) = -shares.ring;
     for (int k = 0; k < m_sectors; ++k) {
-      design(i, BlurredFit::firstSector + k) = -point.sector[static_cast<std::size_t>(k)];
+      design(i, BlurredFit::firstSector + k) = -shares.sector[static_cast<std::size_t>(k)];
     }
     greys[i] = sample.grey;
   }
@@ -275,7 +155,7 @@ BlurredFit BlurredMarker::changed(const BlurredFit &from, const Eigen::VectorXd 
   twist.head(poseSize) = by.head(poseSize);
   move(twist, to.plane);
   if (from.blur.disc > 0.) {
-    to.blur.disc = std::max(to.blur.disc + by[poseSize], 2. * leastKernel);
+    to.blur.disc = std::max(to.blur.disc + by[poseSize], 2. * BlurredPrint::leastKernel);
   }
   else {
     to.blur.motion += by.segment<2>(poseSize);
@@ -291,38 +171,35 @@ bool BlurredMarker::linearise(const BlurredFit &fit, int poseSize, Eigen::Matrix
   const auto rows = static_cast<Eigen::Index>(m_samples.size());
   Eigen::MatrixXd derivatives(rows, moving + columns);
   Eigen::VectorXd residuals(rows);
-  Eigen::VectorXd here(rows);
-  setPose(fit.plane, fit.blur);
+  m_print.set(fit.plane, fit.blur, m_meterPerPixel, m_block);
+  PrintDarkness darkness;
+  darkness.ring = fit.linear[BlurredFit::ringAt];
+  for (int k = 0; k < m_sectors; ++k) {
+    darkness.sector[static_cast<std::size_t>(k)] = fit.linear[BlurredFit::firstSector + k];
+  }
+  PrintShares shares;
   for (Eigen::Index i = 0; i < rows; ++i) {
     if (isOver(i)) {
       return false;
     }
     const BlurredSample &sample = m_samples[static_cast<std::size_t>(i)];
-    Point point;
-    see(sample, point);
+    m_print.see(sample.meter, shares);
     const Eigen::Vector2d offset = (sample.pixel - m_center) / m_extent;
     derivatives(i, moving) = 1.;
     derivatives(i, moving + 1) = offset.x();
     derivatives(i, moving + 2) = offset.y();
-    derivatives(i, moving + BlurredFit::ringAt) = -point.ring;
-    here[i] = fit.linear[BlurredFit::ringAt] * point.ring;
+    derivatives(i, moving + BlurredFit::ringAt) = -shares.ring;
     for (int k = 0; k < m_sectors; ++k) {
-      const double share = point.sector[static_cast<std::size_t>(k)];
-      derivatives(i, moving + BlurredFit::firstSector + k) = -share;
-      here[i] += fit.linear[BlurredFit::firstSector + k] * share;
+      derivatives(i, moving + BlurredFit::firstSector + k) = -shares.sector[static_cast<std::size_t>(k)];
     }
-    residuals[i] = sample.grey - (fit.linear[0] + fit.linear[1] * offset.x() + fit.linear[2] * offset.y() - here[i]);
-  }
-  for (int k = 0; k < moving; ++k) {
-    Eigen::VectorXd by = Eigen::VectorXd::Zero(moving);
-    by[k] = k < poseSize ? poseStep : blurStep;
-    const BlurredFit other = changed(fit, by, poseSize);
-    setPose(other.plane, other.blur);
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      if (isOver(i)) {
-        return false;
-      }
-      derivatives(i, k) = (here[i] - darkness(m_samples[static_cast<std::size_t>(i)], fit.linear)) / by[k];
+    residuals[i] = sample.grey - derivatives.row(i).tail(columns).dot(fit.linear);
+    const DarknessSlopes slopes = m_print.slopesAt(sample.meter, darkness);
+    derivatives.row(i).head(poseSize) = -slopes.byTwist.head(poseSize).transpose();
+    if (fit.blur.disc > 0.) {
+      derivatives(i, poseSize) = -slopes.byDisc;
+    }
+    else {
+      derivatives.row(i).segment<2>(poseSize) = -slopes.byMotion.transpose();
     }
   }
   matrix = Eigen::MatrixXd::Zero(moving + columns, moving + columns);

@@ -24,8 +24,7 @@
 
 #include <Eigen/Core>
 
-#include "decode/code_track.h"
-#include "pose/marker_plane.h"
+#include "decode/blurred_print.h"
 #include "support/camera_model.h"
 #include "support/deadline.h"
 
@@ -34,13 +33,6 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! What blurs a picture, beyond what every lens does. */
-struct ImageBlur
-{
-  Eigen::Vector2d motion = Eigen::Vector2d::Zero(); //!< Way of the image during the exposure, pixels.
-  double disc = 0.;                                 //!< Radius of the image of a point out of focus, pixels.
-};
-
 /*! A pixel, or the mean of a few, of a blurred marker. */
 struct BlurredSample
 {
@@ -82,7 +74,7 @@ public:
   BlurredMarker(const vpImage<unsigned char> &I, const CameraModel &camera, const vpCircleMarkerFamily &family,
                 const Deadline &deadline = Deadline())
       : m_image(I), m_camera(camera), m_layout(family.getLayout()), m_sectors(static_cast<int>(family.getNbSectors())),
-        m_deadline(deadline)
+        m_deadline(deadline), m_print(m_layout, m_sectors)
   {
   }
 
@@ -106,17 +98,9 @@ public:
   Eigen::Matrix<double, 6, 6> covariance(const BlurredFit &fit);
 
 private:
-  struct Point
-  {
-    double ring;
-    std::array<double, mostSectors> sector;
-  };
-  void setPose(const MarkerPlane &plane, const ImageBlur &blur);
-  void see(const BlurredSample &sample, Point &point) const;
   BlurredFit changed(const BlurredFit &from, const Eigen::VectorXd &by, int poseSize) const;
   bool linearise(const BlurredFit &fit, int poseSize, Eigen::MatrixXd &matrix, Eigen::VectorXd &right);
   bool isOver(Eigen::Index sample) const;
-  double darkness(const BlurredSample &sample, const Eigen::VectorXd &linear) const;
 
   const vpImage<unsigned char> &m_image;
   const CameraModel &m_camera;
@@ -128,10 +112,7 @@ private:
   Eigen::Vector2d m_center;              //!< Image of the marker's centre, pixels.
   double m_extent = 1.;                  //!< Unit of the light's slopes, pixels.
   Eigen::Matrix2d m_meterPerPixel;       //!< There.
-  Eigen::Matrix3d m_toPlane;             //!< From normalised coordinates to the plane at the present pose.
-  std::vector<Eigen::Vector2d> m_kernel; //!< Points that the blur smears together, normalised coordinates.
-  std::vector<Eigen::Vector3d> m_steps;  //!< The ways to them in homogeneous coordinates of the plane.
-  double m_sigma = 0.85;                 //!< Blur about each of them, pixels.
+  BlurredPrint m_print;                  //!< At the present pose and blur.
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE
