@@ -32,7 +32,7 @@ struct Look
   MarkerPlane plane;
   ImageBlur blur;
   Eigen::Matrix2d meterPerPixel;
-  PrintDarkness darkness;
+  PrintParts darkness;
 };
 
 Look drawLook(Random &random, vpCircleMarkerFamily::vpType type, bool isDisc)
@@ -40,7 +40,7 @@ Look drawLook(Random &random, vpCircleMarkerFamily::vpType type, bool isDisc)
   const vpCircleMarkerFamily family(type);
   const MarkerScene scene = markerScene(random, family, family.isCoded() ? 3 : -1, uniform(random, 40., 90.),
                                         uniform(random, 0.1, 1.), side);
-  Look look = {family, scene.plane(), ImageBlur(), Eigen::Matrix2d::Identity() / scene.focal, PrintDarkness()};
+  Look look = {family, scene.plane(), ImageBlur(), Eigen::Matrix2d::Identity() / scene.focal, PrintParts()};
   if (isDisc) {
     look.blur.disc = uniform(random, 2., 8.);
   }
@@ -59,7 +59,7 @@ double darknessOf(const Look &look, const MarkerPlane &plane, const ImageBlur &b
   const auto sectors = static_cast<int>(look.family.getNbSectors());
   BlurredPrint print(look.family.getLayout(), sectors);
   print.set(plane, blur, look.meterPerPixel, 1.);
-  PrintShares shares;
+  PrintParts shares;
   print.see(meter, shares);
   double sum = look.darkness.ring * shares.ring;
   for (std::size_t k = 0; k < static_cast<std::size_t>(sectors); ++k) {
@@ -148,7 +148,7 @@ TEST(BlurredPrint, InTheMiddleOfTheRingNothingElseIsSeen)
     const double angle = uniform(random, 0., 2. * M_PI);
     const Eigen::Vector2d out(std::cos(angle), std::sin(angle));
     const double middle = 0.5 * (1. + look.family.getLayout().ringInner);
-    PrintShares shares;
+    PrintParts shares;
     print.see(look.plane.project(3. * out), shares);
     EXPECT_EQ(shares.ring, 0.);
     print.see(look.plane.project(middle * out), shares);

@@ -106,7 +106,7 @@ void BlurredMarker::solve(BlurredFit &fit)
   const auto rows = static_cast<Eigen::Index>(m_samples.size());
   Eigen::MatrixXd design(rows, columns);
   Eigen::VectorXd greys(rows);
-  PrintShares shares;
+  PrintParts shares;
   for (Eigen::Index i = 0; i < rows; ++i) {
     if (isOver(i)) {
       fit.squares = HUGE_VAL;
@@ -172,12 +172,12 @@ bool BlurredMarker::linearise(const BlurredFit &fit, int poseSize, Eigen::Matrix
   Eigen::MatrixXd derivatives(rows, moving + columns);
   Eigen::VectorXd residuals(rows);
   m_print.set(fit.plane, fit.blur, m_meterPerPixel, m_block);
-  PrintDarkness darkness;
+  PrintParts darkness;
   darkness.ring = fit.linear[BlurredFit::ringAt];
   for (int k = 0; k < m_sectors; ++k) {
     darkness.sector[static_cast<std::size_t>(k)] = fit.linear[BlurredFit::firstSector + k];
   }
-  PrintShares shares;
+  PrintParts shares;
   for (Eigen::Index i = 0; i < rows; ++i) {
     if (isOver(i)) {
       return false;

@@ -157,7 +157,7 @@ BlurredPrint::Spot BlurredPrint::spotAt(double x, double y, const Eigen::Matrix2
   return spot;
 }
 
-void BlurredPrint::see(const Eigen::Vector2d &meter, PrintShares &shares) const
+void BlurredPrint::see(const Eigen::Vector2d &meter, PrintParts &shares) const
 {
   const Eigen::Vector3d h = m_toPlane * meter.homogeneous();
   const Eigen::Matrix2d metric = metricOf(byPixelAt(h));
@@ -202,7 +202,7 @@ BlurredPrint::Velocities BlurredPrint::strainsAt(const Eigen::Vector2d &q, const
 }
 
 // How what a spot sees changes as it moves and as ramps become wider.
-BlurredPrint::SpotSlopes BlurredPrint::slopesOf(const Spot &spot, const PrintDarkness &darkness) const
+BlurredPrint::SpotSlopes BlurredPrint::slopesOf(const Spot &spot, const PrintParts &darkness) const
 {
   SpotSlopes slopes;
   const auto across = [&](double inner, double outer, double black) { // between two circles, where it is so dark
@@ -226,7 +226,7 @@ BlurredPrint::SpotSlopes BlurredPrint::slopesOf(const Spot &spot, const PrintDar
   return slopes;
 }
 
-DarknessSlopes BlurredPrint::slopesAt(const Eigen::Vector2d &meter, const PrintDarkness &darkness) const
+DarknessSlopes BlurredPrint::slopesAt(const Eigen::Vector2d &meter, const PrintParts &darkness) const
 {
   const Eigen::Vector3d h = m_toPlane * meter.homogeneous();
   const Eigen::Vector2d center = h.head<2>() / h.z();

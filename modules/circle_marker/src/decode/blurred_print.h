@@ -49,15 +49,8 @@ struct ImageBlur
   double disc = 0.;                                 //!< Radius of the image of a point out of focus, pixels.
 };
 
-/*! Shares of a print that a place of the image sees. */
-struct PrintShares
-{
-  double ring;                            //!< Of the ring.
-  std::array<double, mostSectors> sector; //!< Of each sector of the code.
-};
-
-/*! Darknesses of a print's parts, grey levels. */
-struct PrintDarkness
+/*! A number for each part of a print: the share that a place of the image sees, or a darkness, grey levels. */
+struct PrintParts
 {
   double ring;                            //!< Of the ring.
   std::array<double, mostSectors> sector; //!< Of each sector of the code.
@@ -92,10 +85,10 @@ public:
   bool isWithin(const Eigen::Vector2d &meter, double radius) const;
 
   /*! What a place sees. */
-  void see(const Eigen::Vector2d &meter, PrintShares &shares) const;
+  void see(const Eigen::Vector2d &meter, PrintParts &shares) const;
 
   /*! How the darkness of a place changes with pose and blur. */
-  DarknessSlopes slopesAt(const Eigen::Vector2d &meter, const PrintDarkness &darkness) const;
+  DarknessSlopes slopesAt(const Eigen::Vector2d &meter, const PrintParts &darkness) const;
 
 private:
   // One point of the blur, on the print.
@@ -123,7 +116,7 @@ private:
   };
   using Velocities = Eigen::Matrix<double, 2, 6>;
 
-  SpotSlopes slopesOf(const Spot &spot, const PrintDarkness &darkness) const;
+  SpotSlopes slopesOf(const Spot &spot, const PrintParts &darkness) const;
   Velocities velocitiesAt(const Eigen::Vector2d &q) const;
   Velocities strainsAt(const Eigen::Vector2d &q, const Eigen::Vector2d &d) const;
   Spot spotAt(double x, double y, const Eigen::Matrix2d &metric) const;

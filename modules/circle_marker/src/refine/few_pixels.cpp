@@ -66,7 +66,9 @@ public:
     for (int k = 0; k < pixelsOfRow; ++k) {
       const double along = reach * blur * (2. * k / (pixelsOfRow - 1.) - 1.);
       const Eigen::Vector2d upper = (p + along * normal).array() + 0.5; // rounded by what is cut off
-      if (upper.x() < 0. || upper.y() < 0. || upper.x() >= m_image.getWidth() || upper.y() >= m_image.getHeight()) {
+      const bool isInside =
+          upper.x() >= 0. && upper.y() >= 0. && upper.x() < m_image.getWidth() && upper.y() < m_image.getHeight();
+      if (!isInside) {
         continue;
       }
       const auto u = static_cast<unsigned int>(upper.x());
