@@ -27,11 +27,12 @@ inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // The noise is estimated again after each of the first steps; later ones keep it, so that they have one cost to lower.
 constexpr int mostNoiseUpdates = 5;
-// Decrease of the noise's excess from step to step, and where it ends: all, a half, none. (With a quarter in between, 900
-// markers of 40 to 200 pixels in any light ended at the same poses, to a tenth of a standard deviation, and of 4000 of 8
-// to 40 pixels as many were found.)
+// Decrease of the noise's excess from step to step, and where it ends: all, a half, a quarter, none. Where the start is
+// near without the quarter: 900 markers of 40 to 200 pixels in any light ended at the same poses, to a tenth of a standard
+// deviation. Small ones were found as often without it, but one of 150 was read as another (testDetectorWrongIds).
 constexpr double excessDecay = 0.5;
-constexpr double leastExcess = 0.6;
+constexpr double leastExcess = 0.3;
+constexpr double leastExcessIfNear = 0.6;
 // The matrix of a pass serves for the next ones as long as the outline has moved by less than this, in units of the
 // blur: by as much it is wrong. And as long as each step, in standard deviations, is shorter than the one before by
 // this factor.
@@ -41,12 +42,16 @@ constexpr double shorter = 0.5;
 constexpr double catchingUp = 0.5;
 } // namespace
 
-NoiseDescent::NoiseDescent(bool isKnown) : m_excess(isKnown ? 0. : 1.), m_updates(isKnown ? 0 : mostNoiseUpdates) {}
+NoiseDescent::NoiseDescent(bool isKnown, bool isQuick)
+    : m_excess(isKnown ? 0. : 1.), m_leastExcess(isQuick ? leastExcessIfNear : leastExcess),
+      m_updates(isKnown ? 0 : mostNoiseUpdates)
+{
+}
 
 double NoiseDescent::next(Likelihood &fit)
 {
   --m_updates;
-  m_excess = m_excess > leastExcess ? m_excess * excessDecay : 0.;
+  m_excess = m_excess > m_leastExcess ? m_excess * excessDecay : 0.;
   const ResidualSpread spread = fit.spreadOfResiduals();
   return std::max(spread.median, m_excess * spread.wide);
 }

@@ -38,7 +38,11 @@ inline namespace CIRCLE_MARKER_LANES {
 class NoiseDescent
 {
 public:
-  explicit NoiseDescent(bool isKnown);
+  /*!
+    \param isKnown : Whether it is down from the start.
+    \param isQuick : Whether it comes down in fewer steps, where the start is near.
+  */
+  explicit NoiseDescent(bool isKnown, bool isQuick = false);
 
   /*! Whether the noise is no more than that of the residuals. */
   bool isDown() const { return m_excess == 0.; }
@@ -50,8 +54,9 @@ public:
   double next(Likelihood &fit);
 
 private:
-  double m_excess; //!< Share of the wide residuals that the noise is held at.
-  int m_updates;   //!< Left.
+  double m_excess;      //!< Share of the wide residuals that the noise is held at.
+  double m_leastExcess; //!< Where that ends.
+  int m_updates;        //!< Left.
 };
 
 /*! Where the matrix of the equations was formed, and whether it serves at other parameters. */

@@ -67,7 +67,8 @@ struct FitSettings
   double convergence = 0.15;
   std::optional<Rival> rival; //!< Who a fit has to be better than to go on.
   Deadline deadline;          //!< When to stop, with nothing.
-  bool sharesLight = false;   //!< Whether a fit that has settled gives the next one its light and noise, the last then.
+  //! Whether the marker is not small and was read for certain, so that starts are near: fits take shorter ways then.
+  bool isClear = false;
   bool samePixels = false;    //!< Whether pixels and print are those of the fit before: what is sorted may serve again.
 };
 

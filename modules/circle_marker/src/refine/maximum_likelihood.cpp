@@ -100,7 +100,7 @@ public:
     if (!std::isfinite(m_noise)) {
       return false;
     }
-    m_descent = NoiseDescent(start.noise.has_value());
+    m_descent = NoiseDescent(start.noise.has_value(), m_settings.isClear);
     linearise(m_result.plane, m_result.photometry);
     return true;
   }

@@ -181,7 +181,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   }
   settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
   const MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
-  settings.sharesLight = marker.isCertain && !marker.seen && view.frame.size > leastHopelessSize;
+  settings.isClear = marker.isCertain && !marker.seen && view.frame.size > leastHopelessSize;
   if (!marker.seen) { // what covers a marker looks like the edge of a shadow
     settings.shadow = shadowOn(I, camera, view.frame, marker.poses[0], marker.family.getLayout().quietZone);
   }

@@ -83,7 +83,7 @@ Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> 
   }
   Few<FittedPose> fits;
   for (FitStart start : starts) {
-    const bool isSecond = settings.sharesLight && best && !start.photometry;
+    const bool isSecond = settings.isClear && best && !start.photometry;
     if (isSecond) {
       start.photometry = best->photometry;
       start.noise = best->noise;

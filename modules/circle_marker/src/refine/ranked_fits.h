@@ -34,7 +34,7 @@ struct RankedFits
 
 /*!
   Fits every start on the pixels; those that lead nowhere are left out. A start with a code that is far behind the best
-  fit before it, and does not catch up, is given up. With FitSettings::sharesLight the first fit with a code that has
+  fit before it, and does not catch up, is given up. With FitSettings::isClear the first fit with a code that has
   settled is followed by one more, of a start without photometry, which goes on with its light and noise; if there are
   more than two starts, because the marker faces the camera, that one starts from its mirror image.
   \param pixels : What is explained.
