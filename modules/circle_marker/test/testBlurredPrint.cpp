@@ -38,8 +38,8 @@ struct Look
 Look drawLook(Random &random, vpCircleMarkerFamily::vpType type, bool isDisc)
 {
   const vpCircleMarkerFamily family(type);
-  const MarkerScene scene = markerScene(random, family, family.isCoded() ? 3 : -1, uniform(random, 40., 90.),
-                                        uniform(random, 0.1, 1.), side);
+  const MarkerScene scene =
+      markerScene(random, family, family.isCoded() ? 3 : -1, uniform(random, 40., 90.), uniform(random, 0.1, 1.), side);
   Look look = {family, scene.plane(), ImageBlur(), Eigen::Matrix2d::Identity() / scene.focal, PrintParts()};
   if (isDisc) {
     look.blur.disc = uniform(random, 2., 8.);

@@ -63,22 +63,6 @@ Arcs arcsOf(const std::vector<EdgePoint> &points)
 }
 } // namespace
 
-TEST(ConvexArcs, AreaAndItsSign)
-{
-  std::vector<EdgePoint> points;
-  EXPECT_EQ(doubledArea(points), 0.);
-  appendArc(points, Eigen::Vector2d(500., 300.), 40., 0., 2. * M_PI);
-  EXPECT_NEAR(doubledArea(points), 2. * M_PI * 1600., 0.001 * 2. * M_PI * 1600.);
-  std::reverse(points.begin(), points.end());
-  EXPECT_NEAR(doubledArea(points), -2. * M_PI * 1600., 0.001 * 2. * M_PI * 1600.);
-  std::vector<EdgePoint> square;
-  for (const Eigen::Vector2d &corner :
-       {Eigen::Vector2d(10., 10.), Eigen::Vector2d(13., 10.), Eigen::Vector2d(13., 14.), Eigen::Vector2d(10., 14.)}) {
-    square.push_back({corner, Eigen::Vector2d::UnitX()});
-  }
-  EXPECT_DOUBLE_EQ(doubledArea(square), 24.);
-}
-
 TEST(ConvexArcs, ArcsOfCirclesStayWhole)
 {
   Random random = randomOfTest();

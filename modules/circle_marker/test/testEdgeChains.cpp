@@ -20,7 +20,8 @@
 #include <algorithm>
 #include <set>
 
-#include "edges/convex_arcs.h"
+#include <opencv2/imgproc.hpp>
+
 #include "edges/edge_points.h"
 #include "segment/edge_chains.h"
 
@@ -45,7 +46,11 @@ struct Linked
   {
     std::vector<EdgePoint> points;
     locateChain(gradient, edges, chain, points);
-    return doubledArea(points);
+    std::vector<cv::Point2f> contour;
+    for (const EdgePoint &point : points) {
+      contour.emplace_back(static_cast<float>(point.position.x()), static_cast<float>(point.position.y()));
+    }
+    return 2. * cv::contourArea(contour, true);
   }
 };
 
@@ -69,6 +74,11 @@ void expectSound(const Linked &linked, unsigned int width, unsigned int height)
         ASSERT_LE(std::max(std::abs(before.x - pixel.x), std::abs(before.y - pixel.y)), 1) << "a gap in a chain";
       }
     }
+    std::vector<cv::Point> contour;
+    for (std::size_t i = chain.begin; i < chain.end; ++i) {
+      contour.emplace_back(linked.edges.pixels[i].x, linked.edges.pixels[i].y);
+    }
+    ASSERT_EQ(static_cast<double>(doubledArea(linked.edges, chain)), 2. * cv::contourArea(contour, true));
     if (chain.closed) {
       const EdgePixel first = linked.edges.pixels[chain.begin];
       const EdgePixel last = linked.edges.pixels[chain.end - 1];

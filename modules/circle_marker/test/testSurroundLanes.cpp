@@ -89,9 +89,9 @@ TEST(SurroundLanes, WhatIsSeenAndWhatIsNot)
   for (std::size_t k = 0; k < pixels.size(); ++k) {
     pointers[k] = &pixels[k];
   }
-  pixels[1].beyond[0] = {0.5f, 80.f, 0.f};        // even ground
-  pixels[2].beyond[0] = {0.5f, 0.f, HUGE_VALF};   // nobody has looked there
-  pixels[3].beyond[1] = {0.5f, 80.f, 0.f};        // of the shape that the paper does not have
+  pixels[1].beyond[0] = {0.5f, 80.f, 0.f};      // even ground
+  pixels[2].beyond[0] = {0.5f, 0.f, HUGE_VALF}; // nobody has looked there
+  pixels[3].beyond[1] = {0.5f, 80.f, 0.f};      // of the shape that the paper does not have
   PixelBlock block;
   block.offsetU.setZero();
   block.offsetV.setZero();

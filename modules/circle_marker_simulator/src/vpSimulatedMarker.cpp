@@ -261,7 +261,8 @@ vpSimulatedMarker &vpSimulatedMarker::setInkSpread(double spread)
 }
 
 /*!
-  Makes the marker white on black: what is paper is as dark as ink, the sheet too, and what is ink is as bright as paper.
+  Makes the marker white on black: what is paper is as dark as ink, the sheet too, and what is ink is as bright as
+  paper.
 
   \param inverse : Whether it is.
   \return This marker.

@@ -24,8 +24,8 @@ namespace {
 constexpr unsigned char noColor = 128; // U and V of grey
 }
 
-// The tutorials' firewire_frame.cpp has a table of the same kind. This one is a second statement of the camera's standard,
-// on purpose: a program and the camera that tests it must not share a mistake.
+// The tutorials' firewire_frame.cpp has a table of the same kind. This one is a second statement of the camera's
+// standard, on purpose: a program and the camera that tests it must not share a mistake.
 unsigned int bitsPerPixel(dc1394color_coding_t coding)
 {
   switch (coding) {

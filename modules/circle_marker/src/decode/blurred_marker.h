@@ -108,11 +108,11 @@ private:
   int m_sectors;
   Deadline m_deadline;
   std::vector<BlurredSample> m_samples;
-  double m_block = 1.;                   //!< Side of a sample, pixels.
-  Eigen::Vector2d m_center;              //!< Image of the marker's centre, pixels.
-  double m_extent = 1.;                  //!< Unit of the light's slopes, pixels.
-  Eigen::Matrix2d m_meterPerPixel;       //!< There.
-  BlurredPrint m_print;                  //!< At the present pose and blur.
+  double m_block = 1.;             //!< Side of a sample, pixels.
+  Eigen::Vector2d m_center;        //!< Image of the marker's centre, pixels.
+  double m_extent = 1.;            //!< Unit of the light's slopes, pixels.
+  Eigen::Matrix2d m_meterPerPixel; //!< There.
+  BlurredPrint m_print;            //!< At the present pose and blur.
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

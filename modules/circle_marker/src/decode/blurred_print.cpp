@@ -188,7 +188,8 @@ BlurredPrint::Velocities BlurredPrint::velocitiesAt(const Eigen::Vector2d &q) co
   return velocities;
 }
 
-// By what these change what the print's metric makes of a direction d there, G' d, G the derivative of the velocity by q.
+// By what these change what the print's metric makes of a direction d there, G' d, G the derivative of the velocity by
+// q.
 BlurredPrint::Velocities BlurredPrint::strainsAt(const Eigen::Vector2d &q, const Eigen::Vector2d &d) const
 {
   const double perDepth = 1. / -m_eye.z();
@@ -246,10 +247,9 @@ DarknessSlopes BlurredPrint::slopesAt(const Eigen::Vector2d &meter, const PrintP
     // an angle, of sqrt(t' M t) / r^2, t = q turned by a right angle.
     const Eigen::Vector2d radial = metric * q / q.dot(metric * q);
     const Eigen::Vector2d tangential = metric * turned / turned.dot(metric * turned);
-    const Eigen::Vector2d byPlace = bySpot.byRadius / spot.r * q + bySpot.byAngle * perSquare * turned +
-                                    bySpot.byWidth * (radial - perSquare * q) +
-                                    bySpot.byAngularWidth *
-                                        (Eigen::Vector2d(tangential.y(), -tangential.x()) - 2. * perSquare * q);
+    const Eigen::Vector2d byPlace =
+        bySpot.byRadius / spot.r * q + bySpot.byAngle * perSquare * turned + bySpot.byWidth * (radial - perSquare * q) +
+        bySpot.byAngularWidth * (Eigen::Vector2d(tangential.y(), -tangential.x()) - 2. * perSquare * q);
     slopes.byTwist += velocitiesAt(q).transpose() * byPlace;
     slopes.byTwist += bySpot.byWidth * strainsAt(center, q).transpose() * radial;
     slopes.byTwist += bySpot.byAngularWidth * strainsAt(center, turned).transpose() * tangential;

@@ -77,21 +77,6 @@ double turnOf(const std::vector<EdgePoint> &points, std::size_t begin, std::size
 }
 } // namespace
 
-double doubledArea(const std::vector<EdgePoint> &points)
-{
-  if (points.empty()) {
-    return 0.;
-  }
-  double area = 0.;
-  Eigen::Vector2d previous = points.back().position - points.front().position;
-  for (const EdgePoint &point : points) {
-    const Eigen::Vector2d here = point.position - points.front().position;
-    area += previous.x() * here.y() - previous.y() * here.x();
-    previous = here;
-  }
-  return area;
-}
-
 double mostTurn(const Gradient &gradient, const EdgeChains &chains, const EdgeChain &chain)
 {
   const auto at = [&](std::size_t i) { return gradient.at(chains.pixels[i].x, chains.pixels[i].y); };

@@ -25,12 +25,6 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*!
-  Twice the signed area enclosed by a chain of edge points (closed by its chord), square pixels: positive if the chain
-  runs clockwise as the image is seen, which is the outline of something dark.
-*/
-double doubledArea(const std::vector<EdgePoint> &points);
-
 /*! Arcs that bend less in all, rad, do not fix an ellipse. */
 constexpr double leastArcTurn = 0.9;
 

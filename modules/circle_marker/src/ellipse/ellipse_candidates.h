@@ -18,71 +18,10 @@
 #ifndef VP_CIRCLE_MARKER_ELLIPSE_CANDIDATES_H
 #define VP_CIRCLE_MARKER_ELLIPSE_CANDIDATES_H
 
-#include <cstdint>
-#include <vector>
-
-#include "edges/convex_arcs.h"
-#include "edges/edge_caps.h"
-#include "ellipse/known_outlines.h"
-#include "ellipse/loose_arcs.h"
-#include "ellipse/outline_fitter.h"
-#include "support/reused_list.h"
-#include "support/workers.h"
+#include "ellipse/ellipse_search.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Working memory of findEllipses(). */
-struct EllipseMemory
-{
-  /*! An outline that a chain has given. */
-  struct Proposal
-  {
-    std::size_t chain = 0; //!< Index of the chain.
-    EllipseCandidate candidate;
-  };
-  /*! A run of edge points that has given no outline. */
-  struct Refusal
-  {
-    std::size_t chain = 0; //!< Index of its chain.
-    EllipseReject reason = EllipseReject::NONE;
-    EllipseParameters ellipse; //!< a = 0 if there is none.
-    std::vector<EdgePoint> points;
-  };
-  /*! What is known of where a cap is. */
-  struct Around
-  {
-    std::size_t asked = 0; //!< Of the known outlines, so many were asked whether it is inside of them.
-    bool isInside = false; //!< Whether it is inside of one of these.
-  };
-  /*! Memory of one thread. */
-  struct Bench
-  {
-    OutlineFitter fitter;
-    std::vector<EdgePoint> points;
-    std::vector<ConvexArc> arcs;
-    ReusedList<EdgeCap> caps;
-    ReusedList<LooseArc> loose;
-    ReusedList<Proposal> proposals;
-    std::vector<Refusal> refusals;
-  };
-  std::vector<Bench> benches;
-  std::vector<std::uint8_t> left;    //!< One per chain: whether it is still to be cut into arcs.
-  std::vector<Proposal *> proposals; //!< Of all benches, in the order of their chains.
-  std::vector<LooseArc *> loose;     //!< Of all benches, the longest first.
-  std::vector<const EdgeCap *> caps; //!< Of all benches.
-  std::vector<Around> around;        //!< One per cap.
-  KnownOutlines known;
-  bool keepsRefusals = false; //!< Whether refusals are kept, to be shown.
-};
-
-/*! Outlines that are known at another scale, and where a position of this scale is there. */
-struct OtherScale
-{
-  const KnownOutlines *known = nullptr; //!< Nothing if there are none.
-  double scale = 1.;                    //!< There: scale * position + shift.
-  double shift = 0.;                    //!< Pixels.
-};
-
 /*!
   Finds the ellipses among the edge chains of an image. A closed chain is fitted as it is; the others are cut where they
   bend the wrong way or sharply, and the ellipse fitted to an arc, or else to two arcs with something between them, is

@@ -89,7 +89,7 @@ Part partOf(const ProductSums &products, const PullSums &pulls, const PoseInflue
 // By how much the parts together move the pose more than independent noise would.
 struct Excess
 {
-  double ratio = 1.; // mean over the pose's parameters; 1 if that is within chance
+  double ratio = 1.;                          // mean over the pose's parameters; 1 if that is within chance
   PoseMatrix covariance = PoseMatrix::Zero(); // the parts' covariance of the pose, with noise of variance 1
 };
 

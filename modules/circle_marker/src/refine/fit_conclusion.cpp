@@ -61,7 +61,7 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
   result.correlation = explanation.correlation;
   // The pose's columns of the inverse, and the step that would be next.
   Eigen::Matrix<double, Eigen::Dynamic, poseSize + 1, 0, parameters, poseSize + 1> columns(equations.used,
-                                                                                             poseSize + 1);
+                                                                                           poseSize + 1);
   columns.setIdentity();
   columns.col(poseSize) = equations.right.head(equations.used);
   UsedMatrix(equations.matrix.topLeftCorner(equations.used, equations.used)).ldlt().solveInPlace(columns);

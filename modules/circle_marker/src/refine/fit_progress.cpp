@@ -28,8 +28,9 @@ namespace {
 // The noise is estimated again after each of the first steps; later ones keep it, so that they have one cost to lower.
 constexpr int mostNoiseUpdates = 5;
 // Decrease of the noise's excess from step to step, and where it ends: all, a half, a quarter, none. Where the start is
-// near without the quarter: 900 markers of 40 to 200 pixels in any light ended at the same poses, to a tenth of a standard
-// deviation. Small ones were found as often without it, but one of 150 was read as another (testDetectorWrongIds).
+// near without the quarter: 900 markers of 40 to 200 pixels in any light ended at the same poses, to a tenth of a
+// standard deviation. Small ones were found as often without it, but one of 150 was read as another
+// (testDetectorWrongIds).
 constexpr double excessDecay = 0.5;
 constexpr double leastExcess = 0.3;
 constexpr double leastExcessIfNear = 0.6;

@@ -69,7 +69,7 @@ struct FitSettings
   Deadline deadline;          //!< When to stop, with nothing.
   //! Whether the marker is not small and was read for certain, so that starts are near: fits take shorter ways then.
   bool isClear = false;
-  bool samePixels = false;    //!< Whether pixels and print are those of the fit before: what is sorted may serve again.
+  bool samePixels = false; //!< Whether pixels and print are those of the fit before: what is sorted may serve again.
 };
 
 /*! Where a fit starts. */

@@ -124,8 +124,8 @@ double Likelihood::costOfResiduals(const MarkerPlane &plane, const Photometry &p
 
 Explanation Likelihood::explain(double noise) const
 {
-  // Weights, grey levels of model and image and their products, and inliers. Summed up in lanes: from a grey level in the
-  // middle, so that the variances are no small differences of large sums.
+  // Weights, grey levels of model and image and their products, and inliers. Summed up in lanes: from a grey level in
+  // the middle, so that the variances are no small differences of large sums.
   constexpr float middle = 128.f;
   std::array<Lanes, 7> sums;
   for (Lanes &lanes : sums) {

@@ -52,10 +52,10 @@ inline ShareLanes shareBeyond(const PlaneLanes &point, const PaperEnd &paper, fl
   const auto inside = [&](const Lanes &q, const Lanes &byU, const Lanes &byV) {
     return normalOf(perBlur * (extent - q.abs()) * (byU * byU + byV * byV).rsqrt());
   };
-  const NormalLanes x = inside(c * point.qx + s * point.qy, c * point.qxByU + s * point.qyByU,
-                               c * point.qxByV + s * point.qyByV);
-  const NormalLanes y = inside(c * point.qy - s * point.qx, c * point.qyByU - s * point.qxByU,
-                               c * point.qyByV - s * point.qxByV);
+  const NormalLanes x =
+      inside(c * point.qx + s * point.qy, c * point.qxByU + s * point.qyByU, c * point.qxByV + s * point.qyByV);
+  const NormalLanes y =
+      inside(c * point.qy - s * point.qx, c * point.qyByU - s * point.qxByU, c * point.qyByV - s * point.qxByV);
   return {1.f - x.cumulative * y.cumulative, perBlur * (x.density * y.cumulative + y.density * x.cumulative)};
 }
 

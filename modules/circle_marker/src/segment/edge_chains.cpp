@@ -319,5 +319,17 @@ void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &
     }
   }
 }
+
+std::int64_t doubledArea(const EdgeChains &edges, const EdgeChain &chain)
+{
+  std::int64_t area = 0;
+  EdgePixel previous = edges.pixels[chain.end - 1];
+  for (std::size_t i = chain.begin; i < chain.end; ++i) {
+    const EdgePixel here = edges.pixels[i];
+    area += previous.x * here.y - previous.y * here.x;
+    previous = here;
+  }
+  return area;
+}
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -63,6 +63,12 @@ struct EdgeChains
 */
 void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &result,
                     const Deadline &deadline = Deadline());
+
+/*!
+  Twice the signed area that a chain of pixels (closed by its chord) encloses, square pixels: positive if it runs
+  clockwise as the image is seen, which is the outline of something dark.
+*/
+std::int64_t doubledArea(const EdgeChains &edges, const EdgeChain &chain);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -1,0 +1,94 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Pieces of outlines in edge chains.
+ */
+
+#include "ellipse/chain_arcs.h"
+
+#include "edges/convex_arcs.h"
+#include "edges/edge_caps.h"
+#include "ellipse/thin_rings.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Pieces that are cut from a chain's arcs at their corners, at most: a spiral of short lines has thousands.
+constexpr std::size_t mostPieces = 16;
+// Longer chains have no caps that count: once around a sheet whose ends are those of the longest narrow thing, and
+// more.
+constexpr std::size_t longestCapChain = 400;
+
+EllipseReject proposeArc(const EllipseSearch &search, std::size_t index, const EdgePoint *points, std::size_t count,
+                         EllipseMemory::Bench &bench)
+{
+  return search.propose(bench, index, points, count, [&](EllipseCandidate &candidate) {
+    return bench.fitter.fit(search.I, search.gradient, points, count, false, search.sought, candidate);
+  });
+}
+} // namespace
+
+void proposeArcsOfChain(const EllipseSearch &search, std::size_t index, EllipseMemory::Bench &bench)
+{
+  if (search.memory.left[index] == 0) {
+    return;
+  }
+  if (search.deadline.hasPassed()) {
+    return search.refuse(bench, index, EllipseReject::TIMEOUT);
+  }
+  const EdgeChain &chain = search.chains.chains[index];
+  if (search.sought.thinRing > 0. && chain.closed && chain.length() <= longestNarrowSheet &&
+      proposeThinRing(search, index, bench)) {
+    return;
+  }
+  // What is so narrow shows at the full size, if at all.
+  if (search.sought.thinRing > 0. && search.other.known == nullptr && chain.length() <= longestCapChain) {
+    findCaps(search.gradient, search.chains, index, bench.caps);
+  }
+  if (mostTurn(search.gradient, search.chains, chain) < leastArcTurn) {
+    return search.refuse(bench, index,
+                         search.memory.left[index] == brightInside ? EllipseReject::BRIGHT_INSIDE
+                                                                   : EllipseReject::LITTLE_BEND);
+  }
+  bench.points.clear();
+  locateChain(search.gradient, search.chains, chain, bench.points, search.deadline);
+  cutConvexArcs(bench.points, leastLooseTurn, bench.arcs, search.deadline);
+  if (bench.arcs.empty()) {
+    search.refuse(bench, index, bench.points.data(), bench.points.size(), EllipseReject::LITTLE_BEND);
+  }
+  const std::size_t most = bench.arcs.size() + mostPieces;
+  for (std::size_t k = 0; k < bench.arcs.size(); ++k) { // pieces of them are appended
+    const ConvexArc arc = bench.arcs[k];
+    const EdgePoint *points = bench.points.data() + arc.begin;
+    if (search.deadline.hasPassed()) {
+      return search.refuse(bench, index, EllipseReject::TIMEOUT);
+    }
+    if (search.memory.known.holds(points, arc.length()) || search.isKnownElsewhere(points, arc.length())) {
+      search.refuse(bench, index, points, arc.length(), EllipseReject::KNOWN_OUTLINE);
+      continue;
+    }
+    if (arc.turn < leastArcTurn) {
+      search.refuse(bench, index, points, arc.length(), EllipseReject::LITTLE_BEND);
+    }
+    else if (proposeArc(search, index, points, arc.length(), bench) == EllipseReject::NONE) {
+      bench.loose.append().set(search.I, index, points, arc.length(), arc.turn); // another outline may have more of it
+      continue;
+    }
+    if (bench.arcs.size() > most || !cutAtCorner(bench.points, arc, leastLooseTurn, bench.arcs)) {
+      bench.loose.append().set(search.I, index, points, arc.length(), arc.turn);
+    }
+  }
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

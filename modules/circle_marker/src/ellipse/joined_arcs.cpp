@@ -1,0 +1,110 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Outlines of which two arcs show.
+ */
+
+#include "ellipse/joined_arcs.h"
+
+#include <algorithm>
+#include <functional>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Loose arcs that are joined, the longest of an image, how often one is, and all: a photograph has a hundred, and each
+// pair is a fit of an ellipse.
+constexpr std::size_t mostLoose = 200;
+constexpr int mostJoins = 8;
+constexpr int mostJoinsOfAll = 300;
+// Points of two arcs that their ellipse is fitted to.
+constexpr std::size_t joinedPoints = 32;
+
+// The loose arcs that may be joined, the longest first.
+void gatherLoose(const EllipseSearch &search)
+{
+  std::vector<LooseArc *> &loose = search.memory.loose;
+  loose.clear();
+  for (EllipseMemory::Bench &bench : search.memory.benches) {
+    for (LooseArc &arc : bench.loose) {
+      if (!search.memory.known.holds(arc.points.data(), arc.points.size(), 1., 0., wholeOutline) &&
+          !search.memory.known.surrounds(arc.ends[1].position, wholeOutline)) {
+        loose.push_back(&arc);
+      }
+    }
+  }
+  // Those of one chain lie in one bench, one behind the other.
+  std::sort(loose.begin(), loose.end(), [](const LooseArc *p, const LooseArc *q) {
+    const auto length = [](const LooseArc *arc) { return arc->points.size(); };
+    return length(p) != length(q) ? length(p) > length(q)
+           : p->chain != q->chain ? p->chain < q->chain
+                                  : std::less<>()(p, q);
+  });
+  loose.resize(std::min(loose.size(), mostLoose));
+}
+
+// Whether two arcs give an outline, which is kept if it is new or better than the same one.
+bool join(const EllipseSearch &search, const LooseArc &one, const LooseArc &other, EllipseMemory::Bench &bench)
+{
+  const std::size_t length = one.points.size() + other.points.size();
+  bench.points.clear();
+  for (const LooseArc *arc : {&one, &other}) {
+    for (std::size_t i = 0; i < arc->points.size(); i += 1 + length / joinedPoints) {
+      bench.points.push_back(arc->points[i]);
+    }
+  }
+  EllipseMemory::Proposal &proposal = bench.proposals.append();
+  proposal.candidate.ellipse = EllipseParameters();
+  const EllipseReject reason =
+      bench.fitter.fitJoined(search.I, search.gradient, bench.points.data(), bench.points.size(),
+                             static_cast<double>(length), search.sought, proposal.candidate);
+  if (reason == EllipseReject::NONE) {
+    search.memory.known.take(proposal.candidate);
+  }
+  bench.proposals.removeLast();
+  return reason == EllipseReject::NONE;
+}
+} // namespace
+
+// Joins arcs by twos. What is along an outline that comes of it, however much of that is found, is done with.
+void joinArcs(const EllipseSearch &search)
+{
+  gatherLoose(search);
+  std::vector<LooseArc *> &loose = search.memory.loose;
+  EllipseMemory::Bench &bench = search.memory.benches.front();
+  int joins = 0;
+  for (std::size_t i = 0; i < loose.size(); ++i) {
+    int joinsOfArc = 0;
+    for (std::size_t j = i + 1; loose[i] != nullptr && j < loose.size(); ++j) {
+      if (loose[j] == nullptr || !mayBelongTogether(*loose[i], *loose[j])) {
+        continue;
+      }
+      if (search.deadline.hasPassed() || ++joins > mostJoinsOfAll) {
+        return;
+      }
+      if (join(search, *loose[i], *loose[j], bench)) {
+        for (LooseArc *&arc : loose) {
+          if (arc != nullptr && search.memory.known.holds(arc->points.data(), arc->points.size())) {
+            arc = nullptr;
+          }
+        }
+      }
+      else if (++joinsOfArc == mostJoins) {
+        break;
+      }
+    }
+  }
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
