@@ -21,7 +21,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include <gtest/gtest.h>
+#include <opencv2/imgcodecs.hpp>
+
 #include "rendered_page.h"
+#include "run_program.h"
 
 namespace test {
 namespace {
@@ -147,5 +151,35 @@ double RenderedPage::darkLength(double y, double fromX, double toX) const
     }
   }
   return last - first + step;
+}
+
+RenderedPage loadPage(const std::filesystem::path &file, double pixelsPerMillimetre)
+{
+  return RenderedPage(cv::imread(file.string(), cv::IMREAD_GRAYSCALE), pixelsPerMillimetre);
+}
+
+RenderedPage renderPdf(const std::filesystem::path &folder, const std::string &file, int page, int dotsPerInch)
+{
+  const std::string number = std::to_string(page);
+  const std::string density = std::to_string(dotsPerInch);
+  const Outcome outcome =
+      run(PDFTOPPM, {"-gray", "-singlefile", "-r", density, "-f", number, "-l", number, file, "page"}, folder);
+  EXPECT_EQ(0, outcome.status) << outcome.err;
+  return loadPage(folder / "page.pgm", dotsPerInch / 25.4);
+}
+
+RenderedPage renderSvg(const std::filesystem::path &folder, const std::string &file, double width, double density)
+{
+  const std::string pixels = std::to_string(std::lround(width * density));
+  const Outcome outcome = run(
+      RSVG_CONVERT,
+      {"--width", pixels, "--keep-aspect-ratio", "--background-color", "white", "--output", "page.png", file}, folder);
+  EXPECT_EQ(0, outcome.status) << outcome.err;
+  return loadPage(folder / "page.png", static_cast<double>(std::lround(width * density)) / width);
+}
+
+bool isMissing(const char *program)
+{
+  return std::string(program).empty();
 }
 } // namespace test

@@ -19,6 +19,8 @@
 #define VP_TEST_RENDERED_PAGE_H
 
 #include <cstdint>
+#include <filesystem>
+#include <string>
 
 #include <opencv2/core.hpp>
 
@@ -68,6 +70,18 @@ private:
   cv::Mat m_grey;   //!< 8 bits.
   double m_density; //!< Pixels a millimetre.
 };
+
+/*! Whether a program of which the build knows the path was not found then. */
+bool isMissing(const char *program);
+
+/*! A picture of a page. */
+RenderedPage loadPage(const std::filesystem::path &file, double pixelsPerMillimetre);
+
+/*! A page of a PDF as poppler draws it, which is also in page.pgm in the folder then. */
+RenderedPage renderPdf(const std::filesystem::path &folder, const std::string &file, int page, int dotsPerInch);
+
+/*! An SVG picture of a width of \e width millimetres as librsvg draws it, with \e density pixels a millimetre. */
+RenderedPage renderSvg(const std::filesystem::path &folder, const std::string &file, double width, double density);
 } // namespace test
 
 #endif

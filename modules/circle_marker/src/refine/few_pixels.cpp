@@ -21,6 +21,7 @@
 #include <cmath>
 
 #include "refine/plane_point.h"
+#include "refine/surround.h"
 #include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
@@ -32,13 +33,9 @@ constexpr int rowsOfBorder = 2;
 // A row's pixels lie up to this many standard deviations of the blur to either side of the edge.
 constexpr int pixelsOfRow = 5;
 constexpr double reach = 2.6;
-// A pixel that may see more than this share of the surround, of which nothing is known here, is left out; less than the
-// other is nothing.
+// A pixel that may see more than this share of the surround, of which nothing is known here, is left out.
 constexpr double mostSurround = 0.02;
-constexpr double leastSurround = 0.001;
-// So many standard deviations of the blur away from it is less; and a pixel's centre is off the row by this, pixels, at
-// most.
-constexpr double clearOfSurround = 3.1;
+// A pixel's centre is off the row by this, pixels, at most.
 constexpr double toCentre = 0.71;
 
 // Puts the rows of one hypothesis.

@@ -59,6 +59,12 @@ struct Surround
 Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
                     const PaperEnd &paper, double blur);
 
+/*! A pixel of which this share at most lies beyond the paper sees nothing of it: a thousandth of the light is below the
+ * noise. */
+constexpr double leastSurround = 0.001;
+/*! So many standard deviations of the blur away from the paper's end it is less. */
+constexpr double clearOfSurround = 3.1;
+
 /*! What a pixel may see beyond the paper. */
 struct ShareBeyond
 {

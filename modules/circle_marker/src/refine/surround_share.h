@@ -34,10 +34,6 @@ namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 // A pixel that may see more than this share of what lies beyond the quiet zone is not used.
 constexpr double mostSurround = 0.9;
-// A pixel that sees less than this share of it sees nothing: a thousandth of the light is below the noise.
-constexpr double leastSurround = 0.001;
-// So many standard deviations of the blur away it is less.
-constexpr double clearOfSurround = 3.1;
 
 /*! Completes pixels with what they see beyond the paper. */
 class SurroundShare
