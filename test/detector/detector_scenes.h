@@ -18,6 +18,7 @@
 #ifndef VP_TEST_DETECTOR_SCENES_H
 #define VP_TEST_DETECTOR_SCENES_H
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -106,7 +107,7 @@ inline vpHomogeneousMatrix randomPose(Random &random, double diameter, double ti
 //! The same anywhere in the image, off its rim.
 inline vpHomogeneousMatrix randomPose(Random &random, double diameter, double tilt)
 {
-  const double margin = 0.75 * diameter;
+  const double margin = std::min(0.75 * diameter, 0.5 * height);
   return randomPose(random, diameter, tilt, uniform(random, margin, width - margin),
                     uniform(random, margin, height - margin));
 }

@@ -47,6 +47,12 @@ constexpr unsigned int fewChecks = 14;
 constexpr double mostUnexplained = 1.2;
 constexpr double mostUnexplainedIfClear = 1.6;
 constexpr double mostUnexplainedIfRead = 2.;
+// Beyond these odds, ln, where the whole measurement leaves no more than this factor of the noise and this share of the
+// contrast, what the best codeword leaves is the coarseness of the comparison: of markers of 200 to 400 pixels that are
+// 8 to 14 wide, with odds of 2500 and more, it is 1.7 to 3.9. What is no marker had odds of less than 100 in clutter.
+constexpr double overwhelmingOdds = 1000.;
+constexpr double noiseAlone = 1.2;
+constexpr double lackingAlone = 0.005;
 // At a wrong pose, too, one codeword is the best, by up to e^64; but it does not leave the image's noise alone. Of a
 // right one no more is left than this factor, and this share of the contrast for what the model lacks: the higher its
 // odds, ln, the more. (A golay23 of 9 pixels in a blur of 1.2 was read as another, with odds of e^35, where 1.4 times
@@ -78,6 +84,13 @@ constexpr double leastCorrelation = 0.97;
 double contrastOf(const FittedPose &fit)
 {
   return fit.photometry.light * fit.photometry.contrast(); // grey levels
+}
+
+// Whether the likeliest code stands alone, and the whole measurement with it leaves noise alone.
+bool isOverwhelming(const LikelyCode &code, const CodeToProve &what)
+{
+  const double most = noiseAlone * std::max(what.noise, rounding) + lackingAlone * contrastOf(what.fit);
+  return code.odds > overwhelmingOdds && what.fit.noise < most;
 }
 
 // Whether a fit leaves no more of the image than one of a print does: noise, and a share of the contrast. No sensor
@@ -133,7 +146,8 @@ bool isProven(const LikelyCode &code, const CodeToProve &what)
   const double mostLeft = code.odds < clearOdds ? mostUnexplained
                           : what.isCertain      ? mostUnexplainedIfRead
                                                 : mostUnexplainedIfClear;
-  const bool isLikely = code.odds > leastOddsOf(what) && code.unexplained < mostLeft;
+  const bool isExplained = code.unexplained < mostLeft || isOverwhelming(code, what);
+  const bool isLikely = code.odds > leastOddsOf(what) && isExplained;
   const bool isFaint = code.odds > clearOdds && what.fit.noise < mostNoiseIfFaint * what.noise;
   const bool isAlike = what.fit.correlation > leastCorrelation || isFaint;
   const bool isPrint = what.isCertain ? leavesLittle(what.fit, what.noise, mostUnlikeIfCertain)

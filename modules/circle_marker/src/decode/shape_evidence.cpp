@@ -256,8 +256,12 @@ bool hasDarkRing(const vpImage<unsigned char> &I, const CameraModel &camera, con
   // found where it is.
   constexpr double paperRadius = 1.04;
   constexpr double ringRadius = 0.85;
-  constexpr double least = 0.3;   // of the usual step
-  constexpr std::size_t left = 3; // directions that may have less
+  constexpr double least = 0.3; // of the usual step
+  // Directions that may have less; and where it is seen at more than 84 degrees: the far side of the ring is narrower
+  // than the blur then, and of slender things there are few.
+  constexpr std::size_t mostLess = 3;
+  constexpr std::size_t mostLessAtSlant = 6;
+  constexpr double slant = 0.1; // cosine
   Greys steps;
   for (std::size_t i = 0; i < directions; ++i) {
     const auto paper = bilinear(I, camera.toPixel(plane.project(onCircle(paperRadius, i))));
@@ -269,7 +273,8 @@ bool hasDarkRing(const vpImage<unsigned char> &I, const CameraModel &camera, con
   }
   std::sort(steps.begin(), steps.end());
   const double usual = steps[directions / 2];
-  return usual > 0. && steps[left] > least * usual;
+  const bool isSlanted = std::abs(plane.rotation.col(2).dot(plane.center.normalized())) < slant;
+  return usual > 0. && steps[isSlanted ? mostLessAtSlant : mostLess] > least * usual;
 }
 
 bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,

@@ -34,7 +34,7 @@ constexpr double squaredCosine = 0.106;
 // Pixels to either side of a tip that its axis is taken from.
 constexpr std::ptrdiff_t axisReach = 14;
 // Pixels to either side of a tip that may belong to the cap: the end of the longest narrow thing.
-constexpr std::ptrdiff_t capReach = 120;
+constexpr std::ptrdiff_t capReach = 230;
 // Pixels between two gradients whose turn is told, and the tangent of one the wrong way, 0.5 rad, that ends a cap:
 // twice what the noise makes of a gradient that just prolongs a chain.
 constexpr std::ptrdiff_t turnStride = 4;

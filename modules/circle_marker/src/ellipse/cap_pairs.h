@@ -27,7 +27,7 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*! The longest narrow thing that is put together from its ends, pixels. */
-constexpr double longestNarrow = 190.;
+constexpr double longestNarrow = 420.;
 
 /*!
   Whether two caps may be the ends of one thing: dark or bright both, they look away from each other, together they are

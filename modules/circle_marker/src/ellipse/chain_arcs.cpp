@@ -28,7 +28,7 @@ namespace {
 constexpr std::size_t mostPieces = 16;
 // Longer chains have no caps that count: once around a sheet whose ends are those of the longest narrow thing, and
 // more.
-constexpr std::size_t longestCapChain = 400;
+constexpr std::size_t longestCapChain = 1400;
 
 EllipseReject proposeArc(const EllipseSearch &search, std::size_t index, const EdgePoint *points, std::size_t count,
                          EllipseMemory::Bench &bench)
