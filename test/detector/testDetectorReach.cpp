@@ -215,6 +215,7 @@ int foundOf(const Grazing &grazing, int images, Random &random)
       EXPECT_EQ(id, detection.id) << "image " << image;
     }
   }
+  ::testing::Test::RecordProperty("found", found);
   return found;
 }
 } // namespace

@@ -78,6 +78,15 @@ TEST(CodeProof, TheCodeMustExplainTheTrack)
 
 // Of 200 pixels the noise is known to 5 %: without clear odds no more than 3.5 times that may be left, besides 0.3 % of
 // the contrast; of 20 pixels the factor is 1.2.
+TEST(CodeProof, OverwhelmingOddsNeedNotIfNoiseAloneIsLeft)
+{
+  // Noise alone is 1.2 times that of the image and 0.5 % of the contrast.
+  EXPECT_TRUE(proves(1001., fitThatLeaves(3.1), 2., false, 3.9));
+  EXPECT_FALSE(proves(999., fitThatLeaves(3.1), 2., false, 3.9));
+  EXPECT_FALSE(proves(1001., fitThatLeaves(3.2), 2., false, 3.9));
+  EXPECT_TRUE(proves(1001., fitThatLeaves(3.2), 2., false, 1.5)) << "as any other";
+}
+
 TEST(CodeProof, NoOtherCodeIsMeasuredWhereNoneExplainsTheTrack)
 {
   LikelyCode code;
