@@ -17,8 +17,6 @@
 
 #include "testRoomTools.h"
 
-#include <algorithm>
-
 #include "edges/convex_arcs.h"
 
 using namespace circle_marker;
