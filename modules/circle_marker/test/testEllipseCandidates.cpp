@@ -194,6 +194,28 @@ TEST(EllipseCandidates, MostAreFoundBehindThreeBars)
   EXPECT_GE(found, 57); // 60 are; 34 by single arcs
 }
 
+// A dark blob covers the inside up to a part of the white gap between code and ring.
+TEST(EllipseCandidates, RingsWithADarkMiddleAreFound)
+{
+  Random random = randomOfTest();
+  SoughtCenters rings;
+  rings.dark = false;
+  for (int i = 0; i < 40; ++i) {
+    EllipseScene ring = randomEllipse(random, 25., 60., 0.7, 160.);
+    ring.inner = 0.8;
+    EllipseScene blob = ring;
+    blob.center += uniform(random, 0., 0.1) * ring.b * Eigen::Vector2d::UnitX();
+    blob.a *= 0.55;
+    blob.b *= 0.55;
+    blob.inner = 0.;
+    const auto covered = [&](double u, double v) { return blob(u, v) == ink ? ink : ring(u, v); };
+    Random noise(random());
+    const std::vector<EllipseCandidate> found = ellipsesOf(digitise(expose(160, 160, 0.7, covered), 2., noise), rings);
+    ASSERT_FALSE(found.empty()) << "a " << ring.a << " b " << ring.b;
+    EXPECT_LT(errorOf(found.front().ellipse, ring), 1.);
+  }
+}
+
 TEST(EllipseCandidates, BrightDiscsAreNone)
 {
   Random random = randomOfTest();

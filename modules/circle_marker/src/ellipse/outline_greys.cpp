@@ -36,6 +36,10 @@ constexpr double leastCenter = 0.1;
 // how bright it has to be there, share of the step.
 constexpr double besideCenter = 0.3;
 constexpr double clearlyBright = 0.6;
+// Or, if the code track is covered as well, between that and the ring: share of the way, and of the directions.
+constexpr double gap = 0.74;
+constexpr int gapDirections = 8;
+constexpr int leastBrightInGap = 6;
 } // namespace
 
 double medianContrast(const vpImage<unsigned char> &I, const EllipseCandidate &candidate)
@@ -116,14 +120,17 @@ bool hasSoughtCenter(const vpImage<unsigned char> &I, const EdgePoint *points, s
     return true;
   }
   // Something dark may cover the middle: what lies toward the edge that is seen is white then.
-  constexpr std::size_t directions = 4;
-  for (std::size_t k = 0; k < directions; ++k) {
-    const auto toward = bilinear(I, center + besideCenter * (points[k * count / directions].position - center));
-    if (toward && *toward - beside.dark >= clearlyBright * step) {
-      return true;
+  const auto brightAt = [&](double share, int directions) {
+    int bright = 0;
+    for (int k = 0; k < directions; ++k) {
+      const EdgePoint &point = points[static_cast<std::size_t>(k) * count / static_cast<std::size_t>(directions)];
+      const auto toward = bilinear(I, center + share * (point.position - center));
+      bright += toward && *toward - beside.dark >= clearlyBright * step ? 1 : 0;
     }
-  }
-  return false;
+    return bright;
+  };
+  constexpr int directions = 4;
+  return brightAt(besideCenter, directions) > 0 || brightAt(gap, gapDirections) >= leastBrightInGap;
 }
 
 bool isDarkThroughout(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count)
