@@ -19,6 +19,7 @@
 #define VP_CIRCLE_MARKER_ELLIPSE_CANDIDATES_H
 
 #include "ellipse/ellipse_search.h"
+#include "support/workers.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {

@@ -31,7 +31,6 @@
 #include "ellipse/loose_arcs.h"
 #include "ellipse/outline_fitter.h"
 #include "support/reused_list.h"
-#include "support/workers.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
