@@ -21,6 +21,7 @@
 #include <cmath>
 #include <utility>
 
+#include "refine/fit_starts.h"
 #include "support/bilinear.h"
 #include "support/normal_distribution.h"
 
@@ -77,8 +78,11 @@ MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const Camer
   ring.origin = frame.center;
   ring.light = fit.photometry.light;
   ring.slope = fit.photometry.gamma * fit.photometry.light / frame.size * fit.photometry.lightGradient;
-  ring.contrast = fit.photometry.contrast();
-  ring.blur = fit.photometry.blur.widest();
+  ring.absorption = fit.photometry.absorption;
+  ring.gamma = fit.photometry.gamma;
+  ring.growth = fit.photometry.blur.spread;
+  ring.blur = fit.photometry.blur.sigma;
+  ring.blurShape = fit.photometry.blur.shape();
   ring.noise = fit.noise;
   if (const auto &shadow = fit.photometry.shadow) {
     const Eigen::Vector2d toDark(std::cos(shadow->direction), std::sin(shadow->direction));
@@ -108,7 +112,13 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
   const std::array<MeasuredRing, 2> measured = {first,
                                                 hasTwin ? ringOf(*measurement->second, ring->poses[0], camera) : first};
   Judged<Recognition> marker = recogniseCovered(I, camera, measured, family, settings, memory.track, deadline);
-  return marker ? std::optional<Recognition>(std::move(*marker)) : std::nullopt;
+  if (!marker) {
+    return std::nullopt;
+  }
+  if (!hasTwin) { // with the code it may be the right one after all
+    marker->poses[1] = mirrored(marker->poses[0]);
+  }
+  return std::move(*marker);
 }
 
 WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &camera, double noise, double support,
@@ -163,7 +173,7 @@ double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera,
                      const Measurement &measurement)
 {
   const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
-  const double slack = sameLevel + sameLevelOfNoise * ring.noise / (ring.contrast * ring.light);
+  const double slack = sameLevel + sameLevelOfNoise * ring.noiseOfLevel();
   int visible = 0;
   for (int i = 0; i < directionsOfEdge; ++i) {
     const double angle = 2. * M_PI * i / directionsOfEdge;
@@ -176,12 +186,13 @@ double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera,
     const Eigen::Vector2d beyond = pixelAt(1. + mostBesideEdge) - rim;
     Eigen::Vector2d across = Eigen::Vector2d(along.y(), -along.x()).normalized();
     across *= across.dot(beyond) < 0. ? -1. : 1.;
-    const double beside = std::min(besideEdge * ring.blur, across.dot(beyond)); // pixels
-    const double left = NormalDistribution::instance().at(-beside / ring.blur).cumulative;
+    const double blur = ring.blur * (ring.blurShape * across).norm();
+    const double beside = std::min(besideEdge * blur, across.dot(beyond)); // pixels
+    const double left = NormalDistribution::instance().at(-beside / blur).cumulative;
     const auto isLevel = [&](double side, double expected) {
       const Eigen::Vector2d place = rim + side * across;
       const auto grey = bilinear(I, place);
-      return grey && std::abs(1. - (1. - *grey / ring.whiteAt(place)) / ring.contrast - expected) < slack;
+      return grey && std::abs(ring.levelAt(place, *grey) - expected) < slack;
     };
     visible += isLevel(beside, 1. - left) && isLevel(-beside, left) ? 1 : 0;
   }

@@ -37,7 +37,7 @@ MeasuredRing measuredRing(const MarkerScene &scene)
   ring.plane = scene.plane();
   ring.origin = Eigen::Vector2d(75., 75.);
   ring.light = scene.white;
-  ring.contrast = 1. - scene.black / scene.white;
+  ring.absorption = 1. - scene.black / scene.white;
   ring.blur = std::sqrt(lens * lens + 1. / 12.); // with that of the pixel
   ring.noise = 1.;
   return ring;

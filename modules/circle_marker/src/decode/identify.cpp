@@ -164,14 +164,14 @@ std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCir
 }
 
 Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &pixels,
-                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings)
+                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings,
+                                    SeenParts &seen)
 {
   const CyclicCode &code = codeOf(family);
   WordEvidence evidence(pixels);
   evidence.turnTo(reading.phase);
   LikeliestWord best = evidence.likeliest(code);
-  const double phase = pixels.improvePhase(best.word);
-  evidence.turnTo(phase);
+  const double phase = evidence.improvePhase(best.word);
   best = evidence.likeliest(code);
   evidence.findCoverBeside(best.word);
   best = evidence.likeliest(code);
@@ -179,6 +179,7 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &p
   if (!identity) {
     return vpCircleMarkerReject::NO_CODEWORD;
   }
+  evidence.leaveOutUnexplained(best.word, seen);
   CodeReading result;
   result.id = identity->id;
   result.hamming = static_cast<unsigned int>(std::lround(best.against));

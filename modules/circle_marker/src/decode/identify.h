@@ -21,6 +21,7 @@
 #include <optional>
 
 #include "decode/sector_reading.h"
+#include "decode/seen_parts.h"
 #include "decode/track_pixels.h"
 
 BEGIN_VISP_NAMESPACE
@@ -57,9 +58,15 @@ std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCir
   The marker of which a part is not seen: of all codewords the one for which its pixels speak most (WordEvidence), if
   they do so by odds of a thousand against all others, and if they tell at least as many sectors as the message has
   bits, after what errors leave unsaid.
+  \param reading : The track's sectors.
+  \param pixels : The track's pixels.
+  \param family : What codes there are.
+  \param settings : How strictly a code is read.
+  \param seen : What is seen of the marker; where the codeword does not explain the pixels is left out of it.
 */
 Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &pixels,
-                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings);
+                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings,
+                                    SeenParts &seen);
 
 /*! Whether a codeword whose first sector begins at angle 0 is the likeliest for the pixels of a track by such odds. */
 bool isLikeliest(const TrackPixels &pixels, CyclicCode::Word word, const vpCircleMarkerFamily &family);

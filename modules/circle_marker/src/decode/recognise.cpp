@@ -300,8 +300,12 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
     return std::nullopt;
   }
   const double inner = family.getLayout().ringInner;
-  return Recognition{
-      vpCircleMarkerFamily::ring(inner), CodeReading(), inner, poses, most, true, std::nullopt, std::nullopt};
+  Recognition result;
+  result.family = vpCircleMarkerFamily::ring(inner);
+  result.ringInner = inner;
+  result.poses = poses;
+  result.seen = most;
+  return result;
 }
 
 Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
@@ -324,7 +328,7 @@ Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const Came
     if (deadline.hasPassed()) { // to here, and to the end, takes some milliseconds each
       return vpCircleMarkerReject::TIMEOUT;
     }
-    codes[i] = identifyCovered(reading->sectors, pixels, family, settings);
+    codes[i] = identifyCovered(reading->sectors, pixels, family, settings, *seen[i]);
   }
   const std::size_t best = isFarther(codes[0], codes[1]) ? 1 : 0;
   if (!codes[best]) {
@@ -332,6 +336,7 @@ Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const Came
   }
   Recognition result = markerOf({rings[0].plane, rings[1].plane}, family, codes, best);
   result.seen = seen[best];
+  result.ring = rings[best];
   return result;
 }
 } // namespace circle_marker

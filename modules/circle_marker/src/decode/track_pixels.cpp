@@ -60,19 +60,10 @@ constexpr double leastStep = 1. / 200.;
 constexpr double enoughPixels = 3000.;
 } // namespace
 
-double MeasuredRing::whiteAt(const Eigen::Vector2d &place) const
-{
-  const Eigen::Vector2d offset = place - origin;
-  const double lit = light + slope.dot(offset);
-  return shade < 1.
-             ? lit * (1. - (1. - shade) * NormalDistribution::instance().at(toShade.dot(offset) - shadeEdge).cumulative)
-             : lit;
-}
-
 TrackPixels::TrackPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring,
                          const vpCircleMarkerFamily &family, TrackMemory &memory)
     : m_layout(family.getLayout()), m_sectors(family.getNbSectors()),
-      m_noise(ring.noise / (ring.contrast * ring.light)), m_slack(modelError + mostOfNoise * m_noise), m_memory(memory),
+      m_noise(ring.noiseOfLevel()), m_slack(modelError + mostOfNoise * m_noise), m_memory(memory),
       m_pixels(memory.pixels), m_placed(memory.placed)
 {
   collect(I, camera, ring);
@@ -109,8 +100,7 @@ void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &ca
       const Eigen::Vector2d meter = camera.toMeter(place);
       const Eigen::Vector2d q = ring.plane.intersect(meter);
       const double radius = q.norm();
-      const double white = ring.whiteAt(place);
-      if (radius < middleOfCenter || radius > 1. || !(white > 1.)) {
+      if (radius < middleOfCenter || radius > 1. || !(ring.whiteAt(place) > 1.)) {
         continue;
       }
       const Eigen::Matrix2d perPixel = camera.meterPerPixel(place);
@@ -118,17 +108,19 @@ void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &ca
       byPixel.col(0) = ring.plane.intersect(meter + perPixel.col(0)) - q;
       byPixel.col(1) = ring.plane.intersect(meter + perPixel.col(1)) - q;
       const Eigen::Vector2d out = q / radius;
-      const double across = ring.blur * (byPixel.transpose() * out).norm();
-      const double along = ring.blur * (byPixel.transpose() * Eigen::Vector2d(-out.y(), out.x())).norm();
+      const Eigen::Matrix2d blurred = ring.blur * ring.blurShape * byPixel.transpose();
+      const double across = (blurred * out).norm();
+      const double along = (blurred * Eigen::Vector2d(-out.y(), out.x())).norm();
       const auto upTo = [&](double edge) { return normal.at((edge - radius) / across).cumulative; };
       Pixel pixel;
       pixel.turn = std::atan2(q.y(), q.x()) / (2. * M_PI);
       pixel.turn += pixel.turn < 0. ? 1. : 0.;
-      pixel.ring = upTo(1.) - upTo(m_layout.ringInner);
-      pixel.track = upTo(m_layout.codeOuter) - upTo(m_layout.codeInner);
+      pixel.ring = upTo(1. + ring.growth) - upTo(m_layout.ringInner - ring.growth);
+      pixel.track = upTo(m_layout.codeOuter + ring.growth) - upTo(m_layout.codeInner - ring.growth);
       pixel.spread = along / radius / (2. * M_PI);
+      pixel.growth = ring.growth / radius / (2. * M_PI);
       const double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
-      pixel.level = 1. - (1. - grey / white) / ring.contrast;
+      pixel.level = ring.levelAt(place, grey);
       pixel.cell = static_cast<std::size_t>((v - top) / step + 1) * m_memory.columns +
                    static_cast<std::size_t>((u - left) / step + 1);
       m_memory.grid[pixel.cell] = static_cast<int>(m_pixels.size());
@@ -327,12 +319,6 @@ TrackPixels::Kinds TrackPixels::kindsOf(CyclicCode::Word word) const
     kinds[k] = ((word >> (m_sectors - 1 - k)) & 1U) != 0 ? Kind::BLACK : Kind::WHITE;
   }
   return kinds;
-}
-
-double TrackPixels::improvePhase(CyclicCode::Word word)
-{
-  improvePhase(kindsOf(word), secondStep);
-  return m_phase;
 }
 
 CodewordVerdict TrackPixels::judge(CyclicCode::Word word) const

@@ -25,6 +25,7 @@
 
 #include "decode/code_track.h"
 #include "decode/cyclic_code.h"
+#include "decode/measured_ring.h"
 #include "pose/marker_plane.h"
 #include "support/camera_model.h"
 
@@ -33,24 +34,6 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! A ring whose pose, light and blur are measured. */
-struct MeasuredRing
-{
-  MarkerPlane plane;
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  //!< Pixel at which the light is told.
-  double light = 0.;                                 //!< Grey level of white paper there.
-  Eigen::Vector2d slope = Eigen::Vector2d::Zero();   //!< Its change by the pixel.
-  double contrast = 0.;                              //!< 1 - black / white.
-  double blur = 0.;                                  //!< Standard deviation, pixels.
-  double noise = 0.;                                 //!< Standard deviation, grey levels.
-  double shade = 1.;                                 //!< Light that is left in a shadow on it.
-  Eigen::Vector2d toShade = Eigen::Vector2d::Zero(); //!< Into the shadow, 1 / (softness of its edge) by the pixel.
-  double shadeEdge = 0.;                             //!< Where its edge lies along that.
-
-  /*! Grey level of white paper at a pixel. */
-  double whiteAt(const Eigen::Vector2d &place) const;
-};
-
 /*! What the pixels say of a codeword; of the sectors that are left nothing is said. */
 struct CodewordVerdict
 {
@@ -71,6 +54,7 @@ struct TrackMemory
     double ring = 0.;     //!< Share of the ring in it.
     double track = 0.;    //!< Share of the code track in it.
     double spread = 0.;   //!< Standard deviation of the blur around the marker, turns.
+    double growth = 0.;   //!< By which black is larger there, turns.
     std::size_t cell = 0; //!< Its place in the grid.
   };
   /*! A pixel on the grid of sectors. */
@@ -90,8 +74,22 @@ struct TrackMemory
     unsigned int sector = 0;
     float residual = 0.f;        //!< Its level, less what it would be on a white track.
     std::array<float, 3> shares; //!< Of the sector after its own, its own and the one before in it.
+    std::array<float, 2> growth; //!< What ink takes of white at the border to the one after, to the one before.
     std::uint8_t byColours = 0;  //!< One bit for each of the 8 ways to colour these three.
     bool isOnTrack = false;      //!< Whether it tells of its sector.
+
+    /*! Its level, less what it would be with these three sectors coloured so: bit 1 is its own. */
+    float residualOf(unsigned int colours) const
+    {
+      float sum = residual;
+      for (unsigned int bit = 0; bit < 3; ++bit) {
+        sum += (colours >> bit) & 1U ? shares[bit] : 0.f;
+      }
+      for (unsigned int border = 0; border < 2; ++border) {
+        sum += ((colours >> border) ^ (colours >> (border + 1))) & 1U ? growth[border] : 0.f;
+      }
+      return sum;
+    }
   };
 
   std::vector<Pixel> pixels;        //!< Of the track and what is beside it.
@@ -138,9 +136,6 @@ public:
 
   /*! Sets the angle at which the first sector starts, rad. */
   void turnTo(double phase);
-
-  /*! Improves that angle by a codeword. \return The angle, rad. */
-  double improvePhase(CyclicCode::Word word);
 
   /*! Judges a codeword: it gives all sectors, so that what each pixel should be is known. */
   CodewordVerdict judge(CyclicCode::Word word) const;

@@ -51,6 +51,14 @@ constexpr unsigned int coverFades = 16;
 constexpr int fewestOfCover = 2;
 // What a sector says for itself that may be covered by something like it: the odds that it is not covered.
 constexpr double doubtful = 0.5;
+// Steps by which the grid of sectors is turned to a word, of a sector: the first reading is off by an eighth, seldom by
+// more, and where bars lie on a sector's border by two.
+constexpr double firstStep = 1. / 6.;
+constexpr double lastStep = 1. / 200.;
+// Of the pixels of ring or track in a direction that shows it, this share may be other than the codeword makes them.
+constexpr double mostUnexplained = 0.1;
+// A pixel beside the track has this share of the ring in it, at least, to tell of that.
+constexpr double leastInkOfRing = 0.1;
 // What the edges of a sector say, rims and borders, which no cover of one grey level has.
 constexpr double edgeOdds = 4.;
 } // namespace
@@ -102,34 +110,41 @@ void WordEvidence::spreadTrust()
   }
 }
 
-void WordEvidence::turnTo(double phase)
+// A pixel on the grid of sectors, without what explains it.
+WordEvidence::Explained WordEvidence::placedAt(const Pixel &pixel, double phase) const
 {
   const NormalDistribution &normal = NormalDistribution::instance();
-  const double first = phase / (2. * M_PI);
+  Explained placed;
+  double place = (pixel.turn - phase / (2. * M_PI)) * m_sectors;
+  place -= m_sectors * std::floor(place / m_sectors);
+  placed.sector = std::min(static_cast<unsigned int>(place), m_sectors - 1);
+  const double inside = place - placed.sector;
+  const double width = pixel.spread * m_sectors;
+  const NormalDistribution::Value toBefore = normal.at(-inside / width);
+  const NormalDistribution::Value toAfter = normal.at((inside - 1.) / width);
+  const double before = pixel.track * toBefore.cumulative;
+  const double after = pixel.track * toAfter.cumulative;
+  const double own = pixel.track - before - after;
+  const double growth = pixel.track * pixel.growth / pixel.spread;
+  placed.shares = {static_cast<float>(after), static_cast<float>(own), static_cast<float>(before)};
+  placed.growth = {static_cast<float>(growth * toAfter.density), static_cast<float>(growth * toBefore.density)};
+  placed.residual = static_cast<float>(pixel.level - (1. - pixel.ring));
+  return placed;
+}
+
+void WordEvidence::turnTo(double phase)
+{
+  m_phase = phase;
   const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
   m_explained.resize(pixels.size());
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const Pixel &pixel = pixels[i];
-    Explained &placed = m_explained[i];
-    double place = (pixel.turn - first) * m_sectors;
-    place -= m_sectors * std::floor(place / m_sectors);
-    placed.sector = std::min(static_cast<unsigned int>(place), m_sectors - 1);
-    const double inside = place - placed.sector;
-    const double width = pixel.spread * m_sectors;
-    const double before = pixel.track * normal.at(-inside / width).cumulative;
-    const double after = pixel.track * normal.at((inside - 1.) / width).cumulative;
-    const double own = pixel.track - before - after;
-    placed.shares = {static_cast<float>(after), static_cast<float>(own), static_cast<float>(before)};
-    placed.residual = static_cast<float>(pixel.level - (1. - pixel.ring));
+    Explained placed = placedAt(pixels[i], phase);
     placed.isOnTrack = placed.shares[1] > std::max(leastOwn, 2.f * m_slack);
-    placed.byColours = 0;
     for (unsigned int colours = 0; colours < 8; ++colours) {
-      float residual = placed.residual;
-      for (unsigned int bit = 0; bit < 3; ++bit) {
-        residual += (colours >> bit) & 1U ? placed.shares[bit] : 0.f;
-      }
-      placed.byColours |= static_cast<std::uint8_t>(std::abs(residual) < m_slack ? 1U << colours : 0U);
+      const bool isSo = std::abs(placed.residualOf(colours)) < m_slack;
+      placed.byColours |= static_cast<std::uint8_t>(isSo ? 1U << colours : 0U);
     }
+    m_explained[i] = placed;
   }
   weigh();
 }
@@ -177,10 +192,7 @@ void WordEvidence::weigh()
       if (((shown >> pattern) & 1U) == 0) {
         continue;
       }
-      float residual = placed.residual;
-      for (unsigned int bit = 0; bit < 3; ++bit) {
-        residual += (pattern >> (bit + 1)) & 1U ? placed.shares[bit] : 0.f;
-      }
+      const float residual = placed.residualOf((pattern >> 1) & 7U);
       const float level = static_cast<float>(pixels[i].level) - residual; // as it should be
       const float trust = level < nearPrint ? m_trust[1][part] : level > 1.f - nearPrint ? m_trust[0][part] : 1.f;
       counted[placed.sector][pattern] += 1.f;
@@ -219,7 +231,48 @@ std::uint64_t extended(CyclicCode::Word word, unsigned int sectors)
 {
   return (std::uint64_t(word) << 2) | (word >> (sectors - 2)) | (std::uint64_t(word & 3U) << (sectors + 2));
 }
+
+// Of such a word the sector after one, that and the one before: bits 0 to 2.
+unsigned int coloursAt(std::uint64_t extendedWord, unsigned int sector, unsigned int sectors)
+{
+  return (extendedWord >> (sectors - sector)) & 7U;
+}
 } // namespace
+
+// What a word leaves of the pixels of the track; of one that something covers no more than what it may be off.
+double WordEvidence::misfitAt(double phase, CyclicCode::Word word) const
+{
+  const std::uint64_t bits = extended(word, m_sectors);
+  const float most = m_slack * m_slack;
+  float sum = 0.f;
+  for (const Pixel &pixel : m_pixels.getMemory().pixels) {
+    if (pixel.track > 2. * m_slack) {
+      const Explained placed = placedAt(pixel, phase);
+      const float residual = placed.residualOf(coloursAt(bits, placed.sector, m_sectors));
+      sum += std::min(residual * residual, most);
+    }
+  }
+  return static_cast<double>(sum);
+}
+
+double WordEvidence::improvePhase(CyclicCode::Word word)
+{
+  double least = misfitAt(m_phase, word);
+  double best = m_phase;
+  for (double step = firstStep; step > lastStep; step *= 0.5) {
+    const double from = best;
+    for (const double side : {-1., 1.}) {
+      const double phase = from + side * step * 2. * M_PI / m_sectors;
+      const double misfit = misfitAt(phase, word);
+      if (misfit < least) {
+        least = misfit;
+        best = phase;
+      }
+    }
+  }
+  turnTo(best);
+  return best;
+}
 
 void WordEvidence::findCoverBeside(CyclicCode::Word word)
 {
@@ -229,7 +282,7 @@ void WordEvidence::findCoverBeside(CyclicCode::Word word)
   findCover();
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const Explained &placed = m_explained[i];
-    const unsigned int colours = (bits >> (m_sectors - placed.sector)) & 7U;
+    const unsigned int colours = coloursAt(bits, placed.sector, m_sectors);
     if (!placed.isOnTrack || (placed.byColours >> colours) & 1U) {
       continue;
     }
@@ -240,6 +293,40 @@ void WordEvidence::findCoverBeside(CyclicCode::Word word)
   }
   spreadTrust();
   weigh();
+}
+
+void WordEvidence::leaveOutUnexplained(CyclicCode::Word word, SeenParts &seen) const
+{
+  struct Count
+  {
+    unsigned int all = 0;
+    unsigned int unexplained = 0;
+  };
+  const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
+  const std::uint64_t bits = extended(word, m_sectors);
+  std::array<Count, mostSamples> onRing{};
+  std::array<Count, mostSamples> onTrack{};
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const Explained &placed = m_explained[i];
+    const bool isOnTrack = pixels[i].track > 2. * m_slack;
+    if (!isOnTrack && pixels[i].ring < leastInkOfRing) {
+      continue;
+    }
+    const auto part = static_cast<std::size_t>(pixels[i].turn * seen.directions) % seen.directions;
+    const unsigned int colours = coloursAt(bits, placed.sector, m_sectors);
+    Count &count = (isOnTrack ? onTrack : onRing)[part];
+    ++count.all;
+    count.unexplained += (placed.byColours >> colours) & 1U ? 0 : 1;
+  }
+  const auto isOther = [](const Count &count) { return count.unexplained > mostUnexplained * count.all; };
+  for (unsigned int part = 0; part < seen.directions; ++part) {
+    for (const unsigned int beside : {seen.directions - 1, 0U, 1U}) { // where the cover's blurred edge may be
+      const unsigned int there = (part + beside) % seen.directions;
+      seen.ring[there] = seen.ring[there] && !isOther(onRing[part]);
+      seen.track[there] = seen.track[there] && !isOther(onTrack[part]);
+      seen.center[there] = seen.center[there] && !isOther(onTrack[part]);
+    }
+  }
 }
 
 LikeliestWord WordEvidence::likeliest(const CyclicCode &code) const

@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "decode/cyclic_code.h"
+#include "decode/seen_parts.h"
 #include "decode/track_pixels.h"
 
 BEGIN_VISP_NAMESPACE
@@ -55,8 +56,21 @@ public:
   /*! Counts the pixels with the first sector beginning at an angle, rad. */
   void turnTo(double phase);
 
+  /*!
+    Turns the first sector's beginning, from where it is, to where a word explains the pixels best, those at the borders
+    between black and white above all.
+    \return The angle, rad.
+  */
+  double improvePhase(CyclicCode::Word word);
+
   /*! Takes what a word leaves unexplained and is as dark as ink or as bright as paper for covers, too. */
   void findCoverBeside(CyclicCode::Word word);
+
+  /*!
+    Leaves out of what is seen of ring and track the directions in which a word does not explain the pixels, and those
+    beside them. A bright cover over a black sector looks like a white one until the codeword is known.
+  */
+  void leaveOutUnexplained(CyclicCode::Word word, SeenParts &seen) const;
 
   /*! The codeword for which most speaks; it may be a constant one, which is no marker's. */
   LikeliestWord likeliest(const CyclicCode &code) const;
@@ -67,6 +81,8 @@ private:
   static constexpr unsigned int patterns = 32; //!< Of a sector and two to either side.
   using Table = std::array<std::array<float, patterns>, mostSectors>;
 
+  Explained placedAt(const Pixel &pixel, double phase) const;
+  double misfitAt(double phase, CyclicCode::Word word) const;
   void findCover();
   void spreadTrust();
   void weigh();
@@ -78,6 +94,7 @@ private:
   std::array<std::array<int, mostSamples>, 2> m_cover;   //!< Pixels like paper (0), ink (1), by parts of sectors.
   std::array<std::array<float, mostSamples>, 2> m_trust; //!< In paper, in ink, by parts of sectors.
   Table m_evidence;                                      //!< Log-odds for what is seen of a sector.
+  double m_phase = 0.;                                   //!< Where the first sector begins, rad.
   Table m_told;                                          //!< Share of a sector that is told.
 };
 } // namespace circle_marker

@@ -40,7 +40,8 @@ struct FittedPose
   bool isSettled = false;                 //!< Whether it has come to the end of its steps, not to the last allowed.
   double coherence = 1.;                  //!< By how much parts of the print pull the pose apart more than noise does.
   double decrement = 0.;                  //!< What another step would take off the squares, grey levels^2.
-  Eigen::Matrix<double, 6, 6> covariance; //!< Of (t, w): see Darkness::byPose.
+  //! Of (t, w): see Darkness::byPose.
+  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
 /*! A fit on the same pixels that another one is to be better than. */

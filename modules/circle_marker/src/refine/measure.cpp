@@ -84,6 +84,34 @@ RankedFits fitCoarsely(const MarkerInImage &view, bool refine, const FitSettings
   return fitFewPixels(view, pattern, refine, settings, memory.pixels, *memory.fitter);
 }
 
+// The light that a measured ring tells, in the coordinates of a frame.
+Photometry lightOf(const MeasuredRing &ring, const ImageFrame &frame)
+{
+  Photometry photometry;
+  photometry.light = ring.whiteAt(frame.center);
+  photometry.lightGradient = frame.size / (ring.gamma * photometry.light) * ring.slope;
+  photometry.absorption = ring.absorption;
+  photometry.gamma = ring.gamma;
+  photometry.blur.sigma = ring.blur;
+  photometry.blur.spread = ring.growth;
+  return photometry;
+}
+
+// Where something covers a part of a marker its ring, which was measured before its code was read, stands for the
+// coarse fits: few pixels, with some of the cover among them, led away from where it was, and made it look hopeless.
+RankedFits fitsOfRing(const MarkerInImage &view)
+{
+  RankedFits ranked;
+  for (const MarkerPlane &plane : view.marker.poses) {
+    FittedPose fit;
+    fit.plane = plane;
+    fit.photometry = lightOf(*view.marker.ring, view.frame);
+    ranked.fits.push_back(fit);
+  }
+  ranked.noise = view.marker.ring->noise;
+  return ranked;
+}
+
 // The fits on all pixels around the coarse ones.
 RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, FitSettings settings,
                         MarkerPattern &pattern, MeasureMemory &memory)
@@ -186,7 +214,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     settings.shadow = shadowOn(I, camera, view.frame, marker.poses[0], marker.family.getLayout().quietZone);
   }
 
-  RankedFits ranked = fitCoarsely(view, refine, settings, pattern, memory);
+  RankedFits ranked = marker.ring && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
   if (refine && !marker.isCertain && !ranked.fits.empty() && ranked.fits[0].correlation < leastCorrelationInDoubt) {
     return std::nullopt;
   }
