@@ -30,12 +30,19 @@ constexpr std::size_t mostPieces = 16;
 // more.
 constexpr std::size_t longestCapChain = 1400;
 
-EllipseReject proposeArc(const EllipseSearch &search, std::size_t index, const EdgePoint *points, std::size_t count,
-                         EllipseMemory::Bench &bench)
+// Whether an arc gives an outline that is found nearly whole. One that is not is kept, too, but may be that of a ring's
+// edge and what it goes on along behind a corner.
+bool proposeArc(const EllipseSearch &search, std::size_t index, const EdgePoint *points, std::size_t count,
+                EllipseMemory::Bench &bench)
 {
-  return search.propose(bench, index, points, count, [&](EllipseCandidate &candidate) {
-    return bench.fitter.fit(search.I, search.gradient, points, count, false, search.sought, candidate);
+  double support = 0.;
+  search.propose(bench, index, points, count, [&](EllipseCandidate &candidate) {
+    const EllipseReject reason =
+        bench.fitter.fit(search.I, search.gradient, points, count, false, search.sought, candidate);
+    support = reason == EllipseReject::NONE ? candidate.support : 0.;
+    return reason;
   });
+  return support >= wholeOutline;
 }
 } // namespace
 
@@ -81,7 +88,7 @@ void proposeArcsOfChain(const EllipseSearch &search, std::size_t index, EllipseM
     if (arc.turn < leastArcTurn) {
       search.refuse(bench, index, points, arc.length(), EllipseReject::LITTLE_BEND);
     }
-    else if (proposeArc(search, index, points, arc.length(), bench) == EllipseReject::NONE) {
+    else if (proposeArc(search, index, points, arc.length(), bench)) {
       bench.loose.append().set(search.I, index, points, arc.length(), arc.turn); // another outline may have more of it
       continue;
     }
