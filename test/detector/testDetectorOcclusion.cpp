@@ -42,6 +42,8 @@ struct Floor
   const char *shape;
   double share;       //!< Of the disc's diameter that the cover takes, all bars together.
   unsigned int least; //!< Found and rightly read, of all frames.
+  double gamma = 1.;  //!< The camera's.
+  double motion = 0.; //!< Way of the marker in its plane while the camera looks, pixels.
 };
 
 // A bar's, from one line to another; either may be beyond the sheet.
@@ -100,6 +102,12 @@ TEST_P(DetectorOcclusion, MarkersAreFoundAndRightlyReadOrNotAtAll)
     const int id = randomId(random, family);
     vpMarkerSceneSimulator simulator(straightCamera(), width, height);
     simulator.setBackground(vpSceneBackground::clutter(random(), 20));
+    vpScenePhotometry photometry;
+    photometry.gamma = floor.gamma;
+    simulator.setPhotometry(photometry);
+    vpSceneMotion motion;
+    motion.twist[0] = floor.motion * size / diameter;
+    simulator.setMotion(motion);
     const int covers = std::string(floor.shape) == "threebars" ? 3 : 1;
     for (int i = 0; i < covers; ++i) {
       std::vector<vpImagePoint> cover;
@@ -138,8 +146,17 @@ INSTANTIATE_TEST_SUITE_P(Floors, DetectorOcclusion,
                                          Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.4, 54},
                                          Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 54},
                                          Floor{vpCircleMarkerFamily::BCH31R, "threebars", 0.3, 54},
-                                         Floor{vpCircleMarkerFamily::BCH31R, "blob", 0.5, 54}),
+                                         Floor{vpCircleMarkerFamily::BCH31R, "blob", 0.5, 54},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.3, 54, 0.45},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.3, 54, 2.2},
+                                         Floor{vpCircleMarkerFamily::GOLAY23, "bar", 0.15, 54, 0.45},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 54, 1., 3.}),
                          [](const auto &info) {
-                           return vpCircleMarkerFamily(info.param.family).getName() + "_" + info.param.shape + "_" +
-                                  std::to_string(static_cast<int>(100. * info.param.share));
+                           const Floor &floor = info.param;
+                           const auto hundredths = [](double value) {
+                             return "_" + std::to_string(static_cast<int>(std::lround(100. * value)));
+                           };
+                           return vpCircleMarkerFamily(floor.family).getName() + "_" + floor.shape +
+                                  hundredths(floor.share) + (floor.gamma == 1. ? "" : "_gamma" + hundredths(floor.gamma)) +
+                                  (floor.motion == 0. ? "" : "_motion");
                          });

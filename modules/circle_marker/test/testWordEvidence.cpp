@@ -127,3 +127,57 @@ TEST(WordEvidence, DoubtsWhatLooksLikeTheCover)
     }
   }
 }
+
+TEST(WordEvidence, TurnsTheSectorsToWhereTheWordExplainsThem)
+{
+  TrackMemory memory;
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31R}) {
+    const vpCircleMarkerFamily family(type);
+    const double sector = 2. * M_PI / family.getNbSectors();
+    for (int i = 0; i < 10; ++i) {
+      const MarkerScene marker = scene(random, family);
+      constexpr unsigned int hidden = 5;
+      const TrackPixels pixels(covered(marker, hidden, marker.white), CameraModel(marker.camera()),
+                               measuredRing(marker), family, memory);
+      WordEvidence evidence(pixels);
+      evidence.turnTo(uniform(random, -0.25, 0.25) * sector);
+      EXPECT_NEAR(evidence.improvePhase(marker.word), 0., 0.02 * sector);
+    }
+  }
+}
+
+TEST(WordEvidence, LeavesOutWhatTheWordDoesNotExplain)
+{
+  TrackMemory memory;
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const unsigned int sectors = family.getNbSectors();
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene marker = scene(random, family);
+    constexpr unsigned int hidden = 6;
+    // As bright as paper: where sectors are white nothing tells it from them, where they are black the word does.
+    const TrackPixels pixels(covered(marker, hidden, marker.white), CameraModel(marker.camera()), measuredRing(marker),
+                             family, memory);
+    WordEvidence evidence(pixels);
+    evidence.turnTo(0.);
+    SeenParts seen;
+    seen.directions = coveredSamplesPerSector * sectors;
+    for (unsigned int k = 0; k < seen.directions; ++k) {
+      seen.ring[k] = seen.track[k] = seen.center[k] = true;
+    }
+    evidence.leaveOutUnexplained(marker.word, seen);
+    for (unsigned int k = 0; k < sectors; ++k) {
+      const unsigned int middle = coveredSamplesPerSector * k + coveredSamplesPerSector / 2;
+      const auto isBlack = [&](unsigned int sector) {
+        return ((marker.word >> (sectors - 1 - sector % sectors)) & 1U) != 0;
+      };
+      EXPECT_EQ(seen.ring[middle], k >= hidden) << k;
+      EXPECT_EQ(seen.center[middle], seen.track[middle]) << k;
+      // White ones beside black ones are narrow enough to feel the blur of what is missing there.
+      if (k >= hidden || isBlack(k) || (!isBlack(k + 1) && !isBlack(k + sectors - 1))) {
+        EXPECT_EQ(seen.track[middle], k >= hidden || !isBlack(k)) << k;
+      }
+    }
+  }
+}

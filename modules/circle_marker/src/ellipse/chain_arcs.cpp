@@ -30,8 +30,8 @@ constexpr std::size_t mostPieces = 16;
 // more.
 constexpr std::size_t longestCapChain = 1400;
 
-// Whether an arc gives an outline that is found nearly whole. One that is not is kept, too, but may be that of a ring's
-// edge and what it goes on along behind a corner.
+// Whether an arc gives an outline that is well found. One that is not is kept, too, but may be that of a ring's edge
+// and what it goes on along behind a corner.
 bool proposeArc(const EllipseSearch &search, std::size_t index, const EdgePoint *points, std::size_t count,
                 EllipseMemory::Bench &bench)
 {
@@ -42,7 +42,7 @@ bool proposeArc(const EllipseSearch &search, std::size_t index, const EdgePoint 
     support = reason == EllipseReject::NONE ? candidate.support : 0.;
     return reason;
   });
-  return support >= wholeOutline;
+  return support >= wellFound;
 }
 } // namespace
 
@@ -81,7 +81,7 @@ void proposeArcsOfChain(const EllipseSearch &search, std::size_t index, EllipseM
     if (search.deadline.hasPassed()) {
       return search.refuse(bench, index, EllipseReject::TIMEOUT);
     }
-    if (search.memory.known.holds(points, arc.length()) || search.isKnownElsewhere(points, arc.length())) {
+    if (search.memory.known.holds(points, arc.length(), 1., 0., wellFound) || search.isKnownElsewhere(points, arc.length())) {
       search.refuse(bench, index, points, arc.length(), EllipseReject::KNOWN_OUTLINE);
       continue;
     }

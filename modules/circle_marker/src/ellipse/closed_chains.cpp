@@ -64,13 +64,19 @@ void proposeClosedChain(const EllipseSearch &search, std::size_t index, EllipseM
     left = chain.length() > longestBlob ? 1 : 0;
     return search.refuse(bench, index, EllipseReject::OTHER_CENTER);
   }
+  double support = 0.;
   const EllipseReject reason =
       search.propose(bench, index, bench.points.data(), bench.points.size(), [&](EllipseCandidate &candidate) {
-        return bench.fitter.fit(search.I, search.gradient, bench.points.data(), bench.points.size(), true,
-                                search.sought, candidate);
+        const EllipseReject verdict = bench.fitter.fit(search.I, search.gradient, bench.points.data(),
+                                                       bench.points.size(), true, search.sought, candidate);
+        support = candidate.support;
+        return verdict;
       });
-  // Where one ellipse fits all of the chain and is none that is sought, its arcs are none either.
-  left = reason == EllipseReject::NONE || reason == EllipseReject::OTHER_CENTER ? 0 : 1;
+  // Where one ellipse fits all of the chain and is none that is sought, its arcs are none either. Of that of a ring
+  // together with a dark blob on its edge a part is missing.
+  const bool isDone = reason == EllipseReject::OTHER_CENTER ||
+                      (reason == EllipseReject::NONE && (support >= wellFound || chain.length() <= longestBlob));
+  left = isDone ? 0 : 1;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -1,0 +1,87 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * What grey levels at a measured ring are between ink and paper.
+ */
+
+#include "testRoomTools.h"
+
+#include "decode/measured_ring.h"
+
+using namespace circle_marker;
+using namespace room_test;
+
+namespace {
+//! Light of 200 at pixel (50, 40), 1 more by the pixel to the right; ink leaves a quarter of it.
+MeasuredRing slopedRing()
+{
+  MeasuredRing ring;
+  ring.origin = Eigen::Vector2d(50., 40.);
+  ring.light = 200.;
+  ring.slope = Eigen::Vector2d(1., 0.);
+  ring.absorption = 0.75;
+  ring.noise = 3.;
+  return ring;
+}
+} // namespace
+
+TEST(MeasuredRing, LevelsGoFromInkToPaperInTheLightOfTheirPlace)
+{
+  const MeasuredRing ring = slopedRing();
+  const Eigen::Vector2d right(70., 10.); // paper is 220 there, ink 55
+  EXPECT_DOUBLE_EQ(ring.whiteAt(right), 220.);
+  EXPECT_NEAR(ring.levelAt(right, 220.), 1., 1e-12);
+  EXPECT_NEAR(ring.levelAt(right, 55.), 0., 1e-12);
+  EXPECT_NEAR(ring.levelAt(right, 137.5), 0.5, 1e-12);
+}
+
+TEST(MeasuredRing, LevelsAreThoseOfTheLightWhateverTheGamma)
+{
+  MeasuredRing ring = slopedRing();
+  for (const double gamma : {0.45, 2.2}) {
+    ring.gamma = gamma;
+    for (const double level : {0., 0.3, 0.5, 1.}) {
+      const double light = 1. - ring.absorption * (1. - level); // share of the paper's
+      EXPECT_NEAR(ring.levelAt(ring.origin, 200. * std::pow(light, gamma)), level, 1e-12) << gamma;
+    }
+  }
+}
+
+TEST(MeasuredRing, PaperIsDarkerBeyondTheEdgeOfAShadow)
+{
+  MeasuredRing ring = slopedRing();
+  ring.slope.setZero();
+  ring.shade = 0.5;
+  ring.toShade = Eigen::Vector2d(0., 1.); // of 1 pixel of softness, downwards
+  ring.shadeEdge = 5.;
+  EXPECT_NEAR(ring.whiteAt(Eigen::Vector2d(50., 35.)), 200., 1e-6);
+  EXPECT_NEAR(ring.whiteAt(Eigen::Vector2d(50., 45.)), 150., 1e-6);
+  EXPECT_NEAR(ring.whiteAt(Eigen::Vector2d(50., 55.)), 100., 1e-6);
+}
+
+TEST(MeasuredRing, NoiseOfALevelIsTheGreatestOnInkOrPaper)
+{
+  MeasuredRing ring = slopedRing();
+  EXPECT_NEAR(ring.noiseOfLevel(), 3. / (200. * 0.75), 1e-12);
+  const double little = 1e-4; // grey levels
+  for (const double gamma : {0.45, 1.3, 1.9}) {
+    ring.gamma = gamma;
+    const auto noiseAt = [&](double grey) {
+      const double more = ring.levelAt(ring.origin, grey + little) - ring.levelAt(ring.origin, grey - little);
+      return ring.noise * more / (2. * little);
+    };
+    const double ink = 200. * std::pow(0.25, gamma);
+    EXPECT_NEAR(ring.noiseOfLevel() / std::max(noiseAt(ink), noiseAt(200.)), 1., 1e-3) << gamma;
+  }
+}
