@@ -157,6 +157,7 @@ INSTANTIATE_TEST_SUITE_P(Floors, DetectorOcclusion,
                              return "_" + std::to_string(static_cast<int>(std::lround(100. * value)));
                            };
                            return vpCircleMarkerFamily(floor.family).getName() + "_" + floor.shape +
-                                  hundredths(floor.share) + (floor.gamma == 1. ? "" : "_gamma" + hundredths(floor.gamma)) +
+                                  hundredths(floor.share) +
+                                  (floor.gamma == 1. ? "" : "_gamma" + hundredths(floor.gamma)) +
                                   (floor.motion == 0. ? "" : "_motion");
                          });

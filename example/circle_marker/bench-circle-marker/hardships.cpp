@@ -255,6 +255,15 @@ void spoil(Draft &draft, const Hardship &hardship, Random &random, vpSceneMotion
   else if (name("quiet zone")) {
     sheet = markerSize * (1. + hardship.level);
   }
+  else if (name("three bars over a quarter, gamma")) {
+    cover(draft, bars(random, 3), 0.25, random);
+    photometry.gamma = hardship.level;
+  }
+  else if (name("three bars over a quarter, motion")) {
+    cover(draft, bars(random, 3), 0.25, random);
+    motion.twist[0] = hardship.level * markerSize * std::cos(direction);
+    motion.twist[1] = hardship.level * markerSize * std::sin(direction);
+  }
   else if (name("JPEG")) {
     photometry.jpegQuality = static_cast<int>(hardship.level);
   }
@@ -286,7 +295,11 @@ const std::vector<Hardship> &hardships()
                                      {"over-exposure", 2.5},
                                      {"quiet zone", 1. / 6.},
                                      {"JPEG", 75.},
-                                     {"JPEG", 50.}}) {
+                                     {"JPEG", 50.},
+                                     {"three bars over a quarter, gamma", 0.45},
+                                     {"three bars over a quarter, gamma", 2.2},
+                                     {"three bars over a quarter, motion", 0.03},
+                                     {"three bars over a quarter, motion", 0.06}}) {
       all.push_back(hardship);
     }
     return all;

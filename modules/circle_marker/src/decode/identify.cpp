@@ -164,8 +164,7 @@ std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCir
 }
 
 Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &pixels,
-                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings,
-                                    SeenParts &seen)
+                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings, SeenParts &seen)
 {
   const CyclicCode &code = codeOf(family);
   WordEvidence evidence(pixels);

@@ -38,9 +38,9 @@ struct Recognition
   CodeReading code;       //!< id -1 without a code.
   double ringInner = 0.8; //!< Inner radius of the ring, in units of the outer radius; 0 for a disc.
   PosePair poses;
-  std::optional<SeenParts> seen; //!< Where something covers a part of it.
+  std::optional<SeenParts> seen;    //!< Where something covers a part of it.
   std::optional<MeasuredRing> ring; //!< Then its ring, which was measured before its code was read.
-  bool isCertain = true;         //!< Whether the code was read well enough; else it has to be proven.
+  bool isCertain = true;            //!< Whether the code was read well enough; else it has to be proven.
   //! Of each sector of the code, as it was read: 0 is white, 1 is black. Where that is better than the code itself.
   std::optional<std::array<float, mostSectors>> darkness;
   std::optional<BlurredPoses> blurred; //!< How well \e poses are known where they were read through a blur.

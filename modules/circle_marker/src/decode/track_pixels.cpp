@@ -62,9 +62,8 @@ constexpr double enoughPixels = 3000.;
 
 TrackPixels::TrackPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring,
                          const vpCircleMarkerFamily &family, TrackMemory &memory)
-    : m_layout(family.getLayout()), m_sectors(family.getNbSectors()),
-      m_noise(ring.noiseOfLevel()), m_slack(modelError + mostOfNoise * m_noise), m_memory(memory),
-      m_pixels(memory.pixels), m_placed(memory.placed)
+    : m_layout(family.getLayout()), m_sectors(family.getNbSectors()), m_noise(ring.noiseOfLevel()),
+      m_slack(modelError + mostOfNoise * m_noise), m_memory(memory), m_pixels(memory.pixels), m_placed(memory.placed)
 {
   collect(I, camera, ring);
   findCover();

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "decode/extended_word.h"
 #include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
@@ -51,14 +52,6 @@ constexpr unsigned int coverFades = 16;
 constexpr int fewestOfCover = 2;
 // What a sector says for itself that may be covered by something like it: the odds that it is not covered.
 constexpr double doubtful = 0.5;
-// Steps by which the grid of sectors is turned to a word, of a sector: the first reading is off by an eighth, seldom by
-// more, and where bars lie on a sector's border by two.
-constexpr double firstStep = 1. / 6.;
-constexpr double lastStep = 1. / 200.;
-// Of the pixels of ring or track in a direction that shows it, this share may be other than the codeword makes them.
-constexpr double mostUnexplained = 0.1;
-// A pixel beside the track has this share of the ring in it, at least, to tell of that.
-constexpr double leastInkOfRing = 0.1;
 // What the edges of a sector say, rims and borders, which no cover of one grey level has.
 constexpr double edgeOdds = 4.;
 } // namespace
@@ -225,55 +218,6 @@ void WordEvidence::weigh()
   }
 }
 
-namespace {
-// A word with its last two sectors before the first and its first two after the last.
-std::uint64_t extended(CyclicCode::Word word, unsigned int sectors)
-{
-  return (std::uint64_t(word) << 2) | (word >> (sectors - 2)) | (std::uint64_t(word & 3U) << (sectors + 2));
-}
-
-// Of such a word the sector after one, that and the one before: bits 0 to 2.
-unsigned int coloursAt(std::uint64_t extendedWord, unsigned int sector, unsigned int sectors)
-{
-  return (extendedWord >> (sectors - sector)) & 7U;
-}
-} // namespace
-
-// What a word leaves of the pixels of the track; of one that something covers no more than what it may be off.
-double WordEvidence::misfitAt(double phase, CyclicCode::Word word) const
-{
-  const std::uint64_t bits = extended(word, m_sectors);
-  const float most = m_slack * m_slack;
-  float sum = 0.f;
-  for (const Pixel &pixel : m_pixels.getMemory().pixels) {
-    if (pixel.track > 2. * m_slack) {
-      const Explained placed = placedAt(pixel, phase);
-      const float residual = placed.residualOf(coloursAt(bits, placed.sector, m_sectors));
-      sum += std::min(residual * residual, most);
-    }
-  }
-  return static_cast<double>(sum);
-}
-
-double WordEvidence::improvePhase(CyclicCode::Word word)
-{
-  double least = misfitAt(m_phase, word);
-  double best = m_phase;
-  for (double step = firstStep; step > lastStep; step *= 0.5) {
-    const double from = best;
-    for (const double side : {-1., 1.}) {
-      const double phase = from + side * step * 2. * M_PI / m_sectors;
-      const double misfit = misfitAt(phase, word);
-      if (misfit < least) {
-        least = misfit;
-        best = phase;
-      }
-    }
-  }
-  turnTo(best);
-  return best;
-}
-
 void WordEvidence::findCoverBeside(CyclicCode::Word word)
 {
   const unsigned int parts = partsPerSector * m_sectors;
@@ -293,40 +237,6 @@ void WordEvidence::findCoverBeside(CyclicCode::Word word)
   }
   spreadTrust();
   weigh();
-}
-
-void WordEvidence::leaveOutUnexplained(CyclicCode::Word word, SeenParts &seen) const
-{
-  struct Count
-  {
-    unsigned int all = 0;
-    unsigned int unexplained = 0;
-  };
-  const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
-  const std::uint64_t bits = extended(word, m_sectors);
-  std::array<Count, mostSamples> onRing{};
-  std::array<Count, mostSamples> onTrack{};
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const Explained &placed = m_explained[i];
-    const bool isOnTrack = pixels[i].track > 2. * m_slack;
-    if (!isOnTrack && pixels[i].ring < leastInkOfRing) {
-      continue;
-    }
-    const auto part = static_cast<std::size_t>(pixels[i].turn * seen.directions) % seen.directions;
-    const unsigned int colours = coloursAt(bits, placed.sector, m_sectors);
-    Count &count = (isOnTrack ? onTrack : onRing)[part];
-    ++count.all;
-    count.unexplained += (placed.byColours >> colours) & 1U ? 0 : 1;
-  }
-  const auto isOther = [](const Count &count) { return count.unexplained > mostUnexplained * count.all; };
-  for (unsigned int part = 0; part < seen.directions; ++part) {
-    for (const unsigned int beside : {seen.directions - 1, 0U, 1U}) { // where the cover's blurred edge may be
-      const unsigned int there = (part + beside) % seen.directions;
-      seen.ring[there] = seen.ring[there] && !isOther(onRing[part]);
-      seen.track[there] = seen.track[there] && !isOther(onTrack[part]);
-      seen.center[there] = seen.center[there] && !isOther(onTrack[part]);
-    }
-  }
 }
 
 LikeliestWord WordEvidence::likeliest(const CyclicCode &code) const

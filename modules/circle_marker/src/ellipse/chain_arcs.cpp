@@ -81,7 +81,8 @@ void proposeArcsOfChain(const EllipseSearch &search, std::size_t index, EllipseM
     if (search.deadline.hasPassed()) {
       return search.refuse(bench, index, EllipseReject::TIMEOUT);
     }
-    if (search.memory.known.holds(points, arc.length(), 1., 0., wellFound) || search.isKnownElsewhere(points, arc.length())) {
+    if (search.memory.known.holds(points, arc.length(), 1., 0., wellFound) ||
+        search.isKnownElsewhere(points, arc.length())) {
       search.refuse(bench, index, points, arc.length(), EllipseReject::KNOWN_OUTLINE);
       continue;
     }

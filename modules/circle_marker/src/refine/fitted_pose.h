@@ -33,13 +33,13 @@ struct FittedPose
 {
   MarkerPlane plane;
   Photometry photometry;
-  double squares = 0.;                    //!< Sum of squared residuals, robust, grey levels^2.
-  double noise = 0.;                      //!< Standard deviation of the residuals that count, grey levels.
-  double inliers = 0.;                    //!< Share of the pixels that count, in [0, 1].
-  double correlation = 0.;                //!< Between model and image, in [-1, 1].
-  bool isSettled = false;                 //!< Whether it has come to the end of its steps, not to the last allowed.
-  double coherence = 1.;                  //!< By how much parts of the print pull the pose apart more than noise does.
-  double decrement = 0.;                  //!< What another step would take off the squares, grey levels^2.
+  double squares = 0.;     //!< Sum of squared residuals, robust, grey levels^2.
+  double noise = 0.;       //!< Standard deviation of the residuals that count, grey levels.
+  double inliers = 0.;     //!< Share of the pixels that count, in [0, 1].
+  double correlation = 0.; //!< Between model and image, in [-1, 1].
+  bool isSettled = false;  //!< Whether it has come to the end of its steps, not to the last allowed.
+  double coherence = 1.;   //!< By how much parts of the print pull the pose apart more than noise does.
+  double decrement = 0.;   //!< What another step would take off the squares, grey levels^2.
   //! Of (t, w): see Darkness::byPose.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };

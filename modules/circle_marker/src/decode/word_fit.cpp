@@ -1,0 +1,110 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * How well a codeword explains the pixels of a covered code track, and where it does not.
+ */
+
+#include "decode/word_evidence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "decode/extended_word.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Steps by which the grid of sectors is turned to a word, of a sector: where a bar lies on a border the reading before
+// was off by a tenth, and with the halves of the first they reach a third.
+constexpr double firstStep = 1. / 6.;
+constexpr double lastStep = 1. / 200.;
+// Of the pixels of ring or track in a direction that shows it, this share may be other than the codeword makes them.
+constexpr double mostUnexplained = 0.1;
+// A pixel beside the track has this share of the ring in it, at least, to tell of that.
+constexpr double leastInkOfRing = 0.1;
+
+// Pixels in a direction.
+struct Count
+{
+  unsigned int all = 0;
+  unsigned int unexplained = 0;
+};
+} // namespace
+
+// What a word leaves of the pixels of the track; of one that something covers no more than what it may be off.
+double WordEvidence::misfitAt(double phase, CyclicCode::Word word) const
+{
+  const std::uint64_t bits = extended(word, m_sectors);
+  const float most = m_slack * m_slack;
+  float sum = 0.f;
+  for (const Pixel &pixel : m_pixels.getMemory().pixels) {
+    if (pixel.track > 2. * m_slack) {
+      const Explained placed = placedAt(pixel, phase);
+      const float residual = placed.residualOf(coloursAt(bits, placed.sector, m_sectors));
+      sum += std::min(residual * residual, most);
+    }
+  }
+  return static_cast<double>(sum);
+}
+
+double WordEvidence::improvePhase(CyclicCode::Word word)
+{
+  double least = misfitAt(m_phase, word);
+  double best = m_phase;
+  for (double step = firstStep; step > lastStep; step *= 0.5) {
+    const double from = best;
+    for (const double side : {-1., 1.}) {
+      const double phase = from + side * step * 2. * M_PI / m_sectors;
+      const double misfit = misfitAt(phase, word);
+      if (misfit < least) {
+        least = misfit;
+        best = phase;
+      }
+    }
+  }
+  turnTo(best);
+  return best;
+}
+
+void WordEvidence::leaveOutUnexplained(CyclicCode::Word word, SeenParts &seen) const
+{
+  const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
+  const std::uint64_t bits = extended(word, m_sectors);
+  std::array<Count, mostSamples> onRing{};
+  std::array<Count, mostSamples> onTrack{};
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const Explained &placed = m_explained[i];
+    const bool isOnTrack = pixels[i].track > 2. * m_slack;
+    if (!isOnTrack && pixels[i].ring < leastInkOfRing) {
+      continue;
+    }
+    const auto part = static_cast<std::size_t>(pixels[i].turn * seen.directions) % seen.directions;
+    const unsigned int colours = coloursAt(bits, placed.sector, m_sectors);
+    Count &count = (isOnTrack ? onTrack : onRing)[part];
+    ++count.all;
+    count.unexplained += (placed.byColours >> colours) & 1U ? 0 : 1;
+  }
+  const auto isOther = [](const Count &count) { return count.unexplained > mostUnexplained * count.all; };
+  for (unsigned int part = 0; part < seen.directions; ++part) {
+    for (const unsigned int beside : {seen.directions - 1, 0U, 1U}) { // where the cover's blurred edge may be
+      const unsigned int there = (part + beside) % seen.directions;
+      seen.ring[there] = seen.ring[there] && !isOther(onRing[part]);
+      seen.track[there] = seen.track[there] && !isOther(onTrack[part]);
+      seen.center[there] = seen.center[there] && !isOther(onTrack[part]);
+    }
+  }
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
