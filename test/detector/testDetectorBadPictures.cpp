@@ -32,15 +32,18 @@ using Spoiling =
 /*!
   Markers of 44 pixels and more, tilts to 50 degrees, on clutter.
   A marker that is found and rightly read 97 times in 100 is lost more than twice of 16 in 1.1 % of all runs, three
-  times in 0.1 %: less than 13 of 16 are a defect. The seeds are the test's.
+  times in 0.1 %: less than 13 of 16 are a defect. The seeds are the test's. All of their edges is visible.
 */
 void expectFound(const vpCircleMarkerFamily &family, const Spoiling &spoil, double least = 44., double greatest = 120.)
 {
   constexpr unsigned int frames = 16;
   constexpr unsigned int leastFound = 13;
+  constexpr double visibleSlack = 0.1; // nothing covers them
+  constexpr unsigned int mostMisjudged = 2;
   Random random = randomOfTest();
   vpDetectorCircleMarker detector(family);
   unsigned int found = 0;
+  unsigned int misjudged = 0;
   for (unsigned int frame = 0; frame < frames; ++frame) {
     const double diameter = least * std::pow(greatest / least, uniform(random, 0., 1.));
     const vpHomogeneousMatrix cMo = randomPose(random, diameter, uniform(random, 0., 0.87));
@@ -60,12 +63,14 @@ void expectFound(const vpCircleMarkerFamily &family, const Spoiling &spoil, doub
     for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
       const bool isHere = vpImagePoint::distance(detection.center, truth[0].center) < 0.1 * diameter;
       found += isHere && detection.id == id ? 1 : 0;
+      misjudged += isHere && truth[0].visibleEdge - detection.visible > visibleSlack ? 1 : 0;
       if (family.isCoded()) { // clutter has plain rings
         EXPECT_TRUE(isHere && detection.id == id) << "frame " << frame << ": id " << detection.id << " for " << id;
       }
     }
   }
   EXPECT_GE(found, leastFound) << "of " << frames;
+  EXPECT_LE(misjudged, mostMisjudged) << "of " << found;
 }
 
 // Without clutter. Of 16 frames the mean of the squared Mahalanobis distances, by degrees of freedom, is 1 +- 0.14 if

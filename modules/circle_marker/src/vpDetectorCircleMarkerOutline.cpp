@@ -212,7 +212,9 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
     widenByShapeOfBlur(m_outlines.full.gradient.noise, marker.family.isCoded(), measurement->first);
   }
   addCameraDoubt(settings.cameraCovariance, marker.family, visit.camera, measurement->first);
-  const double visible = !marker.seen          ? outline.support
+  // Of a blurred outline pieces are missed, but a marker that is read through a blur shows all of its image.
+  const double visible = marker.blurred        ? 1.
+                         : !marker.seen        ? outline.support
                          : settings.refinePose ? visibleEdgeOf(visit.I, visit.camera, marker, *measurement)
                                                : marker.seen->share();
   vpCircleMarkerDetection &detection = measured.detection;
