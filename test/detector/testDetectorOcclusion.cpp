@@ -44,6 +44,7 @@ struct Floor
   unsigned int least; //!< Found and rightly read, of all frames.
   double gamma = 1.;  //!< The camera's.
   double motion = 0.; //!< Way of the marker in its plane while the camera looks, pixels.
+  double light = 1.;  //!< What is too much of it: from 1.16 on paper is cut off.
 };
 
 // A bar's, from one line to another; either may be beyond the sheet.
@@ -104,6 +105,8 @@ TEST_P(DetectorOcclusion, MarkersAreFoundAndRightlyReadOrNotAtAll)
     simulator.setBackground(vpSceneBackground::clutter(random(), 20));
     vpScenePhotometry photometry;
     photometry.gamma = floor.gamma;
+    photometry.paper *= floor.light;
+    photometry.ink *= floor.light;
     simulator.setPhotometry(photometry);
     vpSceneMotion motion;
     motion.twist[0] = floor.motion * size / diameter;
@@ -150,7 +153,8 @@ INSTANTIATE_TEST_SUITE_P(Floors, DetectorOcclusion,
                                          Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.3, 54, 0.45},
                                          Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.3, 54, 2.2},
                                          Floor{vpCircleMarkerFamily::GOLAY23, "bar", 0.15, 54, 0.45},
-                                         Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 54, 1., 3.}),
+                                         Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 54, 1., 3.},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 54, 1., 0., 1.5}),
                          [](const auto &info) {
                            const Floor &floor = info.param;
                            const auto hundredths = [](double value) {
@@ -159,5 +163,5 @@ INSTANTIATE_TEST_SUITE_P(Floors, DetectorOcclusion,
                            return vpCircleMarkerFamily(floor.family).getName() + "_" + floor.shape +
                                   hundredths(floor.share) +
                                   (floor.gamma == 1. ? "" : "_gamma" + hundredths(floor.gamma)) +
-                                  (floor.motion == 0. ? "" : "_motion");
+                                  (floor.motion == 0. ? "" : "_motion") + (floor.light == 1. ? "" : "_over");
                          });

@@ -259,6 +259,11 @@ void spoil(Draft &draft, const Hardship &hardship, Random &random, vpSceneMotion
     cover(draft, bars(random, 3), 0.25, random);
     photometry.gamma = hardship.level;
   }
+  else if (name("three bars over a quarter, over-exposure")) {
+    cover(draft, bars(random, 3), 0.25, random);
+    photometry.paper *= hardship.level;
+    photometry.ink *= hardship.level;
+  }
   else if (name("three bars over a quarter, motion")) {
     cover(draft, bars(random, 3), 0.25, random);
     motion.twist[0] = hardship.level * markerSize * std::cos(direction);
@@ -299,7 +304,9 @@ const std::vector<Hardship> &hardships()
                                      {"three bars over a quarter, gamma", 0.45},
                                      {"three bars over a quarter, gamma", 2.2},
                                      {"three bars over a quarter, motion", 0.03},
-                                     {"three bars over a quarter, motion", 0.06}}) {
+                                     {"three bars over a quarter, motion", 0.06},
+                                     {"three bars over a quarter, over-exposure", 1.5},
+                                     {"three bars over a quarter, over-exposure", 2.5}}) {
       all.push_back(hardship);
     }
     return all;

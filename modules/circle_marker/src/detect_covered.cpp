@@ -192,7 +192,11 @@ double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera,
     const auto isLevel = [&](double side, double expected) {
       const Eigen::Vector2d place = rim + side * across;
       const auto grey = bilinear(I, place);
-      return grey && std::abs(ring.levelAt(place, *grey) - expected) < slack;
+      if (!grey) {
+        return false;
+      }
+      const double below = expected - ring.levelAt(place, *grey);
+      return std::abs(below) < slack || (ring.isCutOff(place, *grey) && below > 0.);
     };
     visible += isLevel(beside, 1. - left) && isLevel(-beside, left) ? 1 : 0;
   }

@@ -85,3 +85,13 @@ TEST(MeasuredRing, NoiseOfALevelIsTheGreatestOnInkOrPaper)
     EXPECT_NEAR(ring.noiseOfLevel() / std::max(noiseAt(ink), noiseAt(200.)), 1., 1e-3) << gamma;
   }
 }
+
+TEST(MeasuredRing, WhiteIsCutOffWherePaperIsBrighterThanTheSensorTells)
+{
+  MeasuredRing ring = slopedRing();
+  const Eigen::Vector2d right(110., 40.); // paper is 260 there
+  EXPECT_FALSE(ring.isCutOff(ring.origin, 255.));
+  EXPECT_TRUE(ring.isCutOff(right, 255.));
+  EXPECT_TRUE(ring.isCutOff(right, 254.));
+  EXPECT_FALSE(ring.isCutOff(right, 250.));
+}

@@ -181,3 +181,38 @@ TEST(WordEvidence, LeavesOutWhatTheWordDoesNotExplain)
     }
   }
 }
+
+TEST(WordEvidence, WhiteThatIsCutOffIsBelievedLessThanWhatTheSensorTells)
+{
+  TrackMemory memory;
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::BCH31R);
+  const CyclicCode &code = codeOf(family);
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene marker = scene(random, family);
+    constexpr unsigned int hidden = 7;
+    constexpr double cover = 0.3; // between ink and paper
+    const vpImage<unsigned char> I = covered(marker, hidden, marker.black + cover * (marker.white - marker.black));
+    // As if it were exposed so long that the middle between ink and paper is the brightest that the sensor tells.
+    constexpr double brightest = 255.;
+    const double exposure = 2. * brightest / (marker.black + marker.white);
+    vpImage<unsigned char> over(I.getHeight(), I.getWidth());
+    for (unsigned int k = 0; k < I.getSize(); ++k) {
+      over.bitmap[k] = static_cast<unsigned char>(std::min(brightest, std::round(exposure * I.bitmap[k])));
+    }
+    MeasuredRing ring = measuredRing(marker);
+    const auto likeliest = [&](const vpImage<unsigned char> &picture) {
+      const TrackPixels pixels(picture, CameraModel(marker.camera()), ring, family, memory);
+      WordEvidence evidence(pixels);
+      evidence.turnTo(0.);
+      evidence.findCoverBeside(marker.word);
+      return evidence.likeliest(code);
+    };
+    const LikeliestWord usual = likeliest(I);
+    ring.light *= exposure;
+    const LikeliestWord best = likeliest(over);
+    EXPECT_EQ(best.word, marker.word);
+    EXPECT_GT(best.odds, 7.);
+    EXPECT_LT(best.odds, usual.odds);
+  }
+}

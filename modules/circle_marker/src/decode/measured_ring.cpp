@@ -28,6 +28,8 @@ namespace {
 // Ink is no darker than this share of paper, in grey levels, when its noise is asked for: a gamma above 1 would make
 // that of black endless.
 constexpr double darkestInk = 0.05;
+// Grey level from which a sensor of 8 bits may tell no more: noise takes one off.
+constexpr double brightest = 254.;
 } // namespace
 
 double MeasuredRing::whiteAt(const Eigen::Vector2d &place) const
@@ -42,6 +44,11 @@ double MeasuredRing::whiteAt(const Eigen::Vector2d &place) const
 double MeasuredRing::levelAt(const Eigen::Vector2d &place, double grey) const
 {
   return 1. - (1. - std::pow(std::max(grey, 0.) / whiteAt(place), 1. / gamma)) / absorption;
+}
+
+bool MeasuredRing::isCutOff(const Eigen::Vector2d &place, double grey) const
+{
+  return grey >= brightest && whiteAt(place) > brightest;
 }
 
 double MeasuredRing::noiseOfLevel() const

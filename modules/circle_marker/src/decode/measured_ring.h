@@ -47,6 +47,9 @@ struct MeasuredRing
   /*! What a grey level at a pixel is between ink, 0, and paper, 1: linear in the light, as the blur mixes them. */
   double levelAt(const Eigen::Vector2d &place, double grey) const;
 
+  /*! Whether a grey level at a pixel says no more than that it is as bright as a sensor tells, or brighter. */
+  bool isCutOff(const Eigen::Vector2d &place, double grey) const;
+
   /*! Standard deviation of such a level by the noise: on ink or on paper, where it is larger. */
   double noiseOfLevel() const;
 };

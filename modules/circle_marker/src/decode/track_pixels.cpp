@@ -120,6 +120,7 @@ void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &ca
       pixel.growth = ring.growth / radius / (2. * M_PI);
       const double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
       pixel.level = ring.levelAt(place, grey);
+      pixel.isCutOff = ring.isCutOff(place, grey);
       pixel.cell = static_cast<std::size_t>((v - top) / step + 1) * m_memory.columns +
                    static_cast<std::size_t>((u - left) / step + 1);
       m_memory.grid[pixel.cell] = static_cast<int>(m_pixels.size());
@@ -144,8 +145,9 @@ void TrackPixels::findCover()
     }
     const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
     ink[part] += pixel.level < like ? 1 : 0;
-    paper[part] += pixel.level > 1. - like ? 1 : 0;
-    all += pixel.level < like || pixel.level > 1. - like ? 1 : 0;
+    const bool isLikePaper = pixel.isCutOff || pixel.level > 1. - like;
+    paper[part] += isLikePaper ? 1 : 0;
+    all += pixel.level < like || isLikePaper ? 1 : 0;
   }
   m_hasLikePrint = all > fewestOfCover;
   for (unsigned int i = 0; i < parts; ++i) {
@@ -183,6 +185,7 @@ void TrackPixels::turnTo(double phase)
     placed.after = pixel.track * normal.at((inside - 1.) / width).cumulative;
     placed.own = pixel.track - placed.before - placed.after;
     placed.residual = pixel.level - (1. - pixel.ring);
+    placed.isCutOff = pixel.isCutOff;
     const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
     placed.isTrusted = {!m_paperCover[part], !m_inkCover[part]};
     purest[placed.sector] = std::max(purest[placed.sector], placed.own);
@@ -214,7 +217,7 @@ TrackPixels::Tallies TrackPixels::count(const Kinds &kinds) const
     }
     for (const std::size_t black : {0, 1}) {
       const double more = black == 1 ? placed.own : 0.;
-      const double residual = std::max({0., lowest + more, -(highest + more)});
+      const double residual = std::max({0., lowest + more, placed.isCutOff ? 0. : -(highest + more)});
       if (residual < m_slack) {
         tally.explained[black] += 1.;
         tally.trusted[black] += placed.isTrusted[black] ? 1. : 0.;

@@ -18,6 +18,7 @@
 #ifndef VP_CIRCLE_MARKER_TRACK_PIXELS_H
 #define VP_CIRCLE_MARKER_TRACK_PIXELS_H
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -49,13 +50,14 @@ struct TrackMemory
   /*! A pixel, as the marker has it. */
   struct Pixel
   {
-    double turn = 0.;     //!< Direction from the centre, turns.
-    double level = 0.;    //!< 0 ink, 1 paper.
-    double ring = 0.;     //!< Share of the ring in it.
-    double track = 0.;    //!< Share of the code track in it.
-    double spread = 0.;   //!< Standard deviation of the blur around the marker, turns.
-    double growth = 0.;   //!< By which black is larger there, turns.
-    std::size_t cell = 0; //!< Its place in the grid.
+    double turn = 0.;      //!< Direction from the centre, turns.
+    double level = 0.;     //!< 0 ink, 1 paper.
+    double ring = 0.;      //!< Share of the ring in it.
+    double track = 0.;     //!< Share of the code track in it.
+    double spread = 0.;    //!< Standard deviation of the blur around the marker, turns.
+    double growth = 0.;    //!< By which black is larger there, turns.
+    std::size_t cell = 0;  //!< Its place in the grid.
+    bool isCutOff = false; //!< Whether it is that bright, or brighter.
   };
   /*! A pixel on the grid of sectors. */
   struct Placed
@@ -65,6 +67,7 @@ struct TrackMemory
     double before = 0.;            //!< Share of the sector before.
     double after = 0.;             //!< Share of the sector after.
     double residual = 0.;          //!< Its level, less what it would be on a white track.
+    bool isCutOff = false;         //!< Whether that is so much, or more.
     std::array<bool, 2> isTrusted; //!< Whether nothing like paper, like ink, is beside.
   };
 
@@ -77,6 +80,7 @@ struct TrackMemory
     std::array<float, 2> growth; //!< What ink takes of white at the border to the one after, to the one before.
     std::uint8_t byColours = 0;  //!< One bit for each of the 8 ways to colour these three.
     bool isOnTrack = false;      //!< Whether it tells of its sector.
+    bool isCutOff = false;       //!< Whether its level is that, or more.
 
     /*! Its level, less what it would be with these three sectors coloured so: bit 1 is its own. */
     float residualOf(unsigned int colours) const
@@ -88,7 +92,7 @@ struct TrackMemory
       for (unsigned int border = 0; border < 2; ++border) {
         sum += ((colours >> border) ^ (colours >> (border + 1))) & 1U ? growth[border] : 0.f;
       }
-      return sum;
+      return isCutOff ? std::max(sum, 0.f) : sum;
     }
   };
 

@@ -39,6 +39,7 @@ constexpr double noneInner = 0.3;
 constexpr double allInner = 0.6;
 // Grey levels that covers have, share of the contrast.
 constexpr double coverRange = 1.2;
+constexpr double brightestCover = 1.1;
 // Pixels by which a sector is told to 1 - 1 / e.
 constexpr double tellingPixels = 3.;
 // Levels that near to ink and paper may be the cover's, not those in between.
@@ -60,8 +61,19 @@ WordEvidence::WordEvidence(const TrackPixels &pixels)
     : m_pixels(pixels), m_sectors(pixels.getSectors()), m_slack(static_cast<float>(pixels.getSlack())),
       m_explained(pixels.getMemory().explained)
 {
+  findRangeOfCutOff();
   findCover();
   spreadTrust();
+}
+
+// Grey levels of covers that the sensor does not tell from paper.
+void WordEvidence::findRangeOfCutOff()
+{
+  for (const Pixel &pixel : m_pixels.getMemory().pixels) {
+    if (pixel.isCutOff) {
+      m_cutOffRange = std::max(m_cutOffRange, brightestCover - pixel.level);
+    }
+  }
 }
 
 void WordEvidence::findCover()
@@ -77,7 +89,7 @@ void WordEvidence::findCover()
       continue;
     }
     const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
-    m_cover[0][part] += std::abs(1. - pixel.level) < m_slack ? 1 : 0;
+    m_cover[0][part] += pixel.isCutOff || std::abs(1. - pixel.level) < m_slack ? 1 : 0;
     m_cover[1][part] += std::abs(pixel.level) < m_slack ? 1 : 0;
   }
 }
@@ -122,6 +134,7 @@ WordEvidence::Explained WordEvidence::placedAt(const Pixel &pixel, double phase)
   placed.shares = {static_cast<float>(after), static_cast<float>(own), static_cast<float>(before)};
   placed.growth = {static_cast<float>(growth * toAfter.density), static_cast<float>(growth * toBefore.density)};
   placed.residual = static_cast<float>(pixel.level - (1. - pixel.ring));
+  placed.isCutOff = pixel.isCutOff;
   return placed;
 }
 
@@ -155,6 +168,7 @@ void WordEvidence::weigh()
   Table counted{};
   Table inner{};
   Table edges{};
+  Table cutOff{};
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const Explained &placed = m_explained[i];
     if (!placed.isOnTrack || placed.byColours == 0) {
@@ -186,8 +200,9 @@ void WordEvidence::weigh()
         continue;
       }
       const float residual = placed.residualOf((pattern >> 1) & 7U);
-      const float level = static_cast<float>(pixels[i].level) - residual; // as it should be
+      const float level = placed.isCutOff ? 1.f : static_cast<float>(pixels[i].level) - residual; // as it should be
       const float trust = level < nearPrint ? m_trust[1][part] : level > 1.f - nearPrint ? m_trust[0][part] : 1.f;
+      cutOff[placed.sector][pattern] += placed.isCutOff ? 1.f : 0.f;
       counted[placed.sector][pattern] += 1.f;
       trusted[placed.sector][pattern] += trust;
       const bool isEdge = level > nearPrint && level < 1.f - nearPrint;
@@ -207,7 +222,9 @@ void WordEvidence::weigh()
       const double trust = trusted[k][pattern] / count;
       const double told = trust * seen;
       const double ofMean = std::sqrt(noise * noise / count + usualError * usualError);
-      const double chance = std::log(coverRange / (std::sqrt(2. * M_PI) * ofMean));
+      const double ofCutOff = cutOff[k][pattern] / count; // share of the pixels that all brighter covers look like
+      const double chance = (1. - ofCutOff) * std::log(coverRange / (std::sqrt(2. * M_PI) * ofMean)) +
+                            ofCutOff * std::log(coverRange / m_cutOffRange);
       const double quality = std::clamp((inner[k][pattern] / count - noneInner) / (allInner - noneInner), 0., 1.);
       const double odds = std::max(0., chance) * quality;
       const double shaped = 1. - std::exp(-static_cast<double>(edges[k][pattern]) / tellingPixels);
@@ -232,7 +249,7 @@ void WordEvidence::findCoverBeside(CyclicCode::Word word)
     }
     const double level = pixels[i].level;
     const auto part = static_cast<std::size_t>(pixels[i].turn * parts) % parts;
-    m_cover[0][part] += std::abs(1. - level) < m_slack ? 1 : 0;
+    m_cover[0][part] += placed.isCutOff || std::abs(1. - level) < m_slack ? 1 : 0;
     m_cover[1][part] += std::abs(level) < m_slack ? 1 : 0;
   }
   spreadTrust();

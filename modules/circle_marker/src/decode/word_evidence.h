@@ -83,6 +83,7 @@ private:
 
   Explained placedAt(const Pixel &pixel, double phase) const;
   double misfitAt(double phase, CyclicCode::Word word) const;
+  void findRangeOfCutOff();
   void findCover();
   void spreadTrust();
   void weigh();
@@ -94,6 +95,7 @@ private:
   std::array<std::array<int, mostSamples>, 2> m_cover;   //!< Pixels like paper (0), ink (1), by parts of sectors.
   std::array<std::array<float, mostSamples>, 2> m_trust; //!< In paper, in ink, by parts of sectors.
   Table m_evidence;                                      //!< Log-odds for what is seen of a sector.
+  double m_cutOffRange = 1e-3;                           //!< Levels that the sensor does not tell from paper.
   double m_phase = 0.;                                   //!< Where the first sector begins, rad.
   Table m_told;                                          //!< Share of a sector that is told.
 };
