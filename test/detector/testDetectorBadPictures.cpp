@@ -32,7 +32,7 @@ using Spoiling =
 /*!
   Markers of 44 pixels and more, tilts to 50 degrees, on clutter.
   A marker that is found and rightly read 97 times in 100 is lost more than twice of 16 in 1.1 % of all runs, three
-  times in 0.1 %: less than 13 of 16 are a defect. The seeds are the test's. All of their edges is visible.
+  times in 0.1 %: less than 13 of 16 are a defect. The seeds are the test's. All of their edge is visible.
 */
 void expectFound(const vpCircleMarkerFamily &family, const Spoiling &spoil, double least = 44., double greatest = 120.)
 {

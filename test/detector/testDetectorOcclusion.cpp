@@ -43,7 +43,7 @@ struct Floor
   double share;       //!< Of the disc's diameter that the cover takes, all bars together.
   unsigned int least; //!< Found and rightly read, of all frames.
   double gamma = 1.;  //!< The camera's.
-  double motion = 0.; //!< Way of the marker in its plane while the camera looks, pixels.
+  double motion = 0.; //!< Way of the marker's image while the camera looks, pixels.
   double light = 1.;  //!< What is too much of it: from 1.16 on paper is cut off.
 };
 

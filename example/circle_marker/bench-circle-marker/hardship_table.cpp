@@ -164,7 +164,7 @@ void tellHardships(std::ostream &out, const std::string &family, unsigned int fr
     previous = next;
   };
   for (const Hardship &hardship : hardships()) {
-    if (hardship.name.find(only) == std::string::npos) {
+    if (!only.empty() && hardship.name != only) {
       continue;
     }
     sum(&hardship);

@@ -25,12 +25,12 @@
 #include "scenes.h"
 
 namespace bench {
-/*! What a frame suffers: one thing covers the marker, or one thing spoils the picture. */
+/*! What a frame suffers: one thing covers the marker, or one thing spoils the picture, or both. */
 struct Hardship
 {
   std::string name;    //!< What it is.
   double level = 0.;   //!< How much of it; of what covers the marker: the share of its disc's image.
-  bool covers = false; //!< Whether it covers the marker.
+  bool covers = false; //!< Whether it covers the marker, and does nothing else.
 };
 
 /*! All that the table of hardships has. */

@@ -63,7 +63,7 @@ int main(int argc, char *argv[])
   std::uint64_t seed = 1;
   app.add_option("--seed", seed, "Seed of the frames for --reach, --hardships and --phantoms")->capture_default_str();
   std::string only;
-  app.add_option("--only", only, "With --hardships and --phantoms: the kinds with this in their name");
+  app.add_option("--only", only, "With --hardships the kind of this name, with --phantoms those with this in it");
   std::string family = "golay23";
   app.add_option("--family", family, "Family of the markers for --reach and --hardships")
       ->check(CLI::IsMember({"golay23", "bch31", "bch31r", "ring"}))

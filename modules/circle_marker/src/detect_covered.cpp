@@ -77,7 +77,7 @@ MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const Camer
   const ImageFrame frame = frameOf(start, camera);
   ring.origin = frame.center;
   ring.light = fit.photometry.light;
-  ring.slope = fit.photometry.gamma * fit.photometry.light / frame.size * fit.photometry.lightGradient;
+  ring.slope = fit.photometry.lightGradient / frame.size;
   ring.absorption = fit.photometry.absorption;
   ring.gamma = fit.photometry.gamma;
   ring.growth = fit.photometry.blur.spread;
@@ -86,7 +86,7 @@ MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const Camer
   ring.noise = fit.noise;
   if (const auto &shadow = fit.photometry.shadow) {
     const Eigen::Vector2d toDark(std::cos(shadow->direction), std::sin(shadow->direction));
-    ring.shade = std::pow(shadow->factor, fit.photometry.gamma);
+    ring.shade = shadow->factor;
     ring.toShade = toDark / (shadow->softness * frame.size);
     ring.shadeEdge = shadow->edge / shadow->softness;
   }
@@ -109,13 +109,12 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
   }
   const MeasuredRing first = ringOf(measurement->first, ring->poses[0], camera);
   const bool hasTwin = measurement->second && measurement->cost2 - measurement->cost < hopelessOdds;
-  const std::array<MeasuredRing, 2> measured = {first,
-                                                hasTwin ? ringOf(*measurement->second, ring->poses[0], camera) : first};
-  Judged<Recognition> marker = recogniseCovered(I, camera, measured, family, settings, memory.track, deadline);
+  const auto twin = hasTwin ? std::make_optional(ringOf(*measurement->second, ring->poses[0], camera)) : std::nullopt;
+  Judged<Recognition> marker = recogniseCovered(I, camera, first, twin, family, settings, memory.track, deadline);
   if (!marker) {
     return std::nullopt;
   }
-  if (!hasTwin) { // with the code it may be the right one after all
+  if (!twin) { // with the code it may be the right one after all
     marker->poses[1] = mirrored(marker->poses[0]);
   }
   return std::move(*marker);
@@ -180,10 +179,11 @@ double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera,
     const Eigen::Vector2d toRim(std::cos(angle), std::sin(angle));
     const auto pixelAt = [&](double radius) { return camera.toPixel(ring.plane.project(radius * toRim)); };
     // Across the edge: from afar it is slanted to the direction from the centre.
-    const Eigen::Vector2d rim = pixelAt(1.);
+    const double outer = 1. + ring.growth;
+    const Eigen::Vector2d rim = pixelAt(outer);
     const Eigen::Vector2d along =
-        camera.toPixel(ring.plane.project(toRim + 0.01 * Eigen::Vector2d(-toRim.y(), toRim.x()))) - rim;
-    const Eigen::Vector2d beyond = pixelAt(1. + mostBesideEdge) - rim;
+        camera.toPixel(ring.plane.project(outer * toRim + 0.01 * Eigen::Vector2d(-toRim.y(), toRim.x()))) - rim;
+    const Eigen::Vector2d beyond = pixelAt(outer + mostBesideEdge) - rim;
     Eigen::Vector2d across = Eigen::Vector2d(along.y(), -along.x()).normalized();
     across *= across.dot(beyond) < 0. ? -1. : 1.;
     const double blur = ring.blur * (ring.blurShape * across).norm();

@@ -29,7 +29,7 @@ MeasuredRing slopedRing()
   MeasuredRing ring;
   ring.origin = Eigen::Vector2d(50., 40.);
   ring.light = 200.;
-  ring.slope = Eigen::Vector2d(1., 0.);
+  ring.slope = Eigen::Vector2d(1. / 200., 0.);
   ring.absorption = 0.75;
   ring.noise = 3.;
   return ring;
@@ -54,6 +54,8 @@ TEST(MeasuredRing, LevelsAreThoseOfTheLightWhateverTheGamma)
     for (const double level : {0., 0.3, 0.5, 1.}) {
       const double light = 1. - ring.absorption * (1. - level); // share of the paper's
       EXPECT_NEAR(ring.levelAt(ring.origin, 200. * std::pow(light, gamma)), level, 1e-12) << gamma;
+      const Eigen::Vector2d right(70., 10.); // the light is 1.1 times that
+      EXPECT_NEAR(ring.levelAt(right, 200. * std::pow(1.1 * light, gamma)), level, 1e-12) << gamma;
     }
   }
 }
@@ -68,6 +70,8 @@ TEST(MeasuredRing, PaperIsDarkerBeyondTheEdgeOfAShadow)
   EXPECT_NEAR(ring.whiteAt(Eigen::Vector2d(50., 35.)), 200., 1e-6);
   EXPECT_NEAR(ring.whiteAt(Eigen::Vector2d(50., 45.)), 150., 1e-6);
   EXPECT_NEAR(ring.whiteAt(Eigen::Vector2d(50., 55.)), 100., 1e-6);
+  ring.gamma = 2.2;
+  EXPECT_NEAR(ring.whiteAt(Eigen::Vector2d(50., 45.)), 200. * std::pow(0.75, 2.2), 1e-6);
 }
 
 TEST(MeasuredRing, NoiseOfALevelIsTheGreatestOnInkOrPaper)
@@ -84,6 +88,9 @@ TEST(MeasuredRing, NoiseOfALevelIsTheGreatestOnInkOrPaper)
     const double ink = 200. * std::pow(0.25, gamma);
     EXPECT_NEAR(ring.noiseOfLevel() / std::max(noiseAt(ink), noiseAt(200.)), 1., 1e-3) << gamma;
   }
+  ring.gamma = 2.2;
+  ring.absorption = 1.; // black ink, at which levels have no end of noise: that of grey ink is told
+  EXPECT_NEAR(ring.noiseOfLevel(), 3. / 200. * std::pow(0.05, 1. / 2.2 - 1.) / 2.2, 1e-12);
 }
 
 TEST(MeasuredRing, WhiteIsCutOffWherePaperIsBrighterThanTheSensorTells)

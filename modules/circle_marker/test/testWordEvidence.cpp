@@ -164,7 +164,8 @@ TEST(WordEvidence, LeavesOutWhatTheWordDoesNotExplain)
     SeenParts seen;
     seen.directions = coveredSamplesPerSector * sectors;
     for (unsigned int k = 0; k < seen.directions; ++k) {
-      seen.ring[k] = seen.track[k] = seen.center[k] = true;
+      seen.ring[k] = seen.track[k] = true;
+      seen.center[k] = (k / coveredSamplesPerSector) % 2 == 0;
     }
     evidence.leaveOutUnexplained(marker.word, seen);
     for (unsigned int k = 0; k < sectors; ++k) {
@@ -173,7 +174,7 @@ TEST(WordEvidence, LeavesOutWhatTheWordDoesNotExplain)
         return ((marker.word >> (sectors - 1 - sector % sectors)) & 1U) != 0;
       };
       EXPECT_EQ(seen.ring[middle], k >= hidden) << k;
-      EXPECT_EQ(seen.center[middle], seen.track[middle]) << k;
+      EXPECT_EQ(seen.center[middle], seen.track[middle] && k % 2 == 0) << k;
       // White ones beside black ones are narrow enough to feel the blur of what is missing there.
       if (k >= hidden || isBlack(k) || (!isBlack(k + 1) && !isBlack(k + sectors - 1))) {
         EXPECT_EQ(seen.track[middle], k >= hidden || !isBlack(k)) << k;
@@ -214,5 +215,43 @@ TEST(WordEvidence, WhiteThatIsCutOffIsBelievedLessThanWhatTheSensorTells)
     EXPECT_EQ(best.word, marker.word);
     EXPECT_GT(best.odds, 7.);
     EXPECT_LT(best.odds, usual.odds);
+  }
+}
+
+TEST(WordEvidence, KnowsHowMuchLargerBlackIs)
+{
+  TrackMemory memory;
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::BCH31R);
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene marker = scene(random, family);
+    const double growth = uniform(random, 0.008, 0.016); // 0.3 to 0.9 pixels
+    const auto grown = [&](double u, double v) {
+      const Eigen::Vector2d q = marker.onMarker(u, v);
+      bool isBlack = marker.isBlack(q);
+      constexpr int directions = 16;
+      for (int k = 0; k < directions && !isBlack; ++k) {
+        const double angle = 2. * M_PI * k / directions;
+        isBlack = marker.isBlack(q + growth * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+      }
+      return isBlack ? marker.black : marker(u, v);
+    };
+    const vpImage<unsigned char> I = photograph(150, 150, lens, grown);
+    const auto seenWith = [&](double told) {
+      MeasuredRing ring = measuredRing(marker);
+      ring.growth = told;
+      const TrackPixels pixels(I, CameraModel(marker.camera()), ring, family, memory);
+      WordEvidence evidence(pixels);
+      evidence.turnTo(0.);
+      SeenParts seen;
+      seen.directions = coveredSamplesPerSector * family.getNbSectors();
+      for (unsigned int k = 0; k < seen.directions; ++k) {
+        seen.track[k] = true;
+      }
+      evidence.leaveOutUnexplained(marker.word, seen);
+      return static_cast<double>(seen.track.count()) / seen.directions;
+    };
+    EXPECT_GT(seenWith(growth), 0.9) << growth;
+    EXPECT_LT(seenWith(0.), 0.5) << growth;
   }
 }

@@ -163,17 +163,26 @@ std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCir
   return result;
 }
 
-Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &pixels,
+Judged<CodeReading> identifyCovered(const SectorReading &reading, const TrackPixels &pixels,
                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings, SeenParts &seen)
 {
   const CyclicCode &code = codeOf(family);
   WordEvidence evidence(pixels);
   evidence.turnTo(reading.phase);
   LikeliestWord best = evidence.likeliest(code);
-  const double phase = evidence.improvePhase(best.word);
+  double phase = evidence.improvePhase(best.word);
+  CyclicCode::Word turnedTo = best.word;
   best = evidence.likeliest(code);
   evidence.findCoverBeside(best.word);
   best = evidence.likeliest(code);
+  if (best.word != turnedTo) {
+    phase = evidence.improvePhase(best.word);
+    turnedTo = best.word;
+    best = evidence.likeliest(code);
+  }
+  if (best.word != turnedTo) { // neither explains the pixels
+    return vpCircleMarkerReject::NO_CODEWORD;
+  }
   const auto identity = code.identify(best.word);
   if (!identity) {
     return vpCircleMarkerReject::NO_CODEWORD;

@@ -64,7 +64,7 @@ std::optional<CodeReading> closestCode(const SectorReading &reading, const vpCir
   \param settings : How strictly a code is read.
   \param seen : What is seen of the marker; where the codeword does not explain the pixels is left out of it.
 */
-Judged<CodeReading> identifyCovered(const SectorReading &reading, TrackPixels &pixels,
+Judged<CodeReading> identifyCovered(const SectorReading &reading, const TrackPixels &pixels,
                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings,
                                     SeenParts &seen);
 

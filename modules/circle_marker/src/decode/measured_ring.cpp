@@ -28,6 +28,8 @@ namespace {
 // Ink is no darker than this share of paper, in grey levels, when its noise is asked for: a gamma above 1 would make
 // that of black endless.
 constexpr double darkestInk = 0.05;
+// The light's slope leaves no less than this share of it.
+constexpr double leastLight = 1e-3;
 // Grey level from which a sensor of 8 bits may tell no more: noise takes one off.
 constexpr double brightest = 254.;
 } // namespace
@@ -35,10 +37,11 @@ constexpr double brightest = 254.;
 double MeasuredRing::whiteAt(const Eigen::Vector2d &place) const
 {
   const Eigen::Vector2d offset = place - origin;
-  const double lit = light + slope.dot(offset);
-  return shade < 1.
-             ? lit * (1. - (1. - shade) * NormalDistribution::instance().at(toShade.dot(offset) - shadeEdge).cumulative)
-             : lit;
+  double lit = std::max(1. + slope.dot(offset), leastLight);
+  if (shade < 1.) {
+    lit *= 1. - (1. - shade) * NormalDistribution::instance().at(toShade.dot(offset) - shadeEdge).cumulative;
+  }
+  return light * std::pow(lit, gamma);
 }
 
 double MeasuredRing::levelAt(const Eigen::Vector2d &place, double grey) const

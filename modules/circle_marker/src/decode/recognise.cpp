@@ -309,21 +309,24 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
 }
 
 Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                     const std::array<MeasuredRing, 2> &rings, const vpCircleMarkerFamily &family,
-                                     const DecodeSettings &settings, TrackMemory &memory, const Deadline &deadline)
+                                     const MeasuredRing &ring, const std::optional<MeasuredRing> &twin,
+                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings,
+                                     TrackMemory &memory, const Deadline &deadline)
 {
+  const std::array<const MeasuredRing *, 2> rings = {&ring, twin ? &*twin : &ring};
+
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_RING, vpCircleMarkerReject::NO_RING};
   std::array<std::optional<SeenParts>, 2> seen;
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < (twin ? 2U : 1U); ++i) {
     if (deadline.hasPassed()) {
       return vpCircleMarkerReject::TIMEOUT;
     }
-    auto reading = readCoveredSectors(I, camera, rings[i].plane, family);
+    auto reading = readCoveredSectors(I, camera, rings[i]->plane, family);
     if (!reading) {
       continue;
     }
     seen[i] = reading->seen;
-    TrackPixels pixels(I, camera, rings[i], family, memory);
+    TrackPixels pixels(I, camera, *rings[i], family, memory);
     pixels.improve(reading->sectors);
     if (deadline.hasPassed()) { // to here, and to the end, takes some milliseconds each
       return vpCircleMarkerReject::TIMEOUT;
@@ -334,9 +337,9 @@ Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const Came
   if (!codes[best]) {
     return codes[best].reason();
   }
-  Recognition result = markerOf({rings[0].plane, rings[1].plane}, family, codes, best);
+  Recognition result = markerOf({rings[0]->plane, rings[1]->plane}, family, codes, best);
   result.seen = seen[best];
-  result.ring = rings[best];
+  result.ring = *rings[best];
   return result;
 }
 } // namespace circle_marker

@@ -101,16 +101,17 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   Reads the code of such a marker.
   \param I : The image.
   \param camera : Its camera.
-  \param rings : Both poses of its ring, measured.
+  \param ring : Its ring, measured.
+  \param twin : The ring's other pose; nothing if that is none.
   \param family : The family.
   \param settings : How strictly a code is read.
   \param memory : Working memory.
   \param deadline : When to stop: it is none then.
 */
 Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                     const std::array<MeasuredRing, 2> &rings, const vpCircleMarkerFamily &family,
-                                     const DecodeSettings &settings, TrackMemory &memory,
-                                     const Deadline &deadline = Deadline());
+                                     const MeasuredRing &ring, const std::optional<MeasuredRing> &twin,
+                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings,
+                                     TrackMemory &memory, const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

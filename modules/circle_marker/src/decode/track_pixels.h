@@ -76,11 +76,12 @@ struct TrackMemory
   {
     unsigned int sector = 0;
     float residual = 0.f;        //!< Its level, less what it would be on a white track.
-    std::array<float, 3> shares; //!< Of the sector after its own, its own and the one before in it.
-    std::array<float, 2> growth; //!< What ink takes of white at the border to the one after, to the one before.
-    std::uint8_t byColours = 0;  //!< One bit for each of the 8 ways to colour these three.
-    bool isOnTrack = false;      //!< Whether it tells of its sector.
-    bool isCutOff = false;       //!< Whether its level is that, or more.
+    std::array<float, 3> shares; //!< In the design, of the sector after its own, its own and the one before in it.
+    //! What ink takes of white at the border to the one after, to the one before: if its own is black, if the other is.
+    std::array<std::array<float, 2>, 2> growth;
+    std::uint8_t byColours = 0; //!< One bit for each of the 8 ways to colour these three.
+    bool isOnTrack = false;     //!< Whether it tells of its sector.
+    bool isCutOff = false;      //!< Whether its level is that, or more.
 
     /*! Its level, less what it would be with these three sectors coloured so: bit 1 is its own. */
     float residualOf(unsigned int colours) const
@@ -90,7 +91,8 @@ struct TrackMemory
         sum += (colours >> bit) & 1U ? shares[bit] : 0.f;
       }
       for (unsigned int border = 0; border < 2; ++border) {
-        sum += ((colours >> border) ^ (colours >> (border + 1))) & 1U ? growth[border] : 0.f;
+        const bool isBorder = ((colours >> border) ^ (colours >> (border + 1))) & 1U;
+        sum += isBorder ? growth[border][(colours >> 1) & 1U ? 0 : 1] : 0.f;
       }
       return isCutOff ? std::max(sum, 0.f) : sum;
     }

@@ -125,14 +125,15 @@ WordEvidence::Explained WordEvidence::placedAt(const Pixel &pixel, double phase)
   placed.sector = std::min(static_cast<unsigned int>(place), m_sectors - 1);
   const double inside = place - placed.sector;
   const double width = pixel.spread * m_sectors;
-  const NormalDistribution::Value toBefore = normal.at(-inside / width);
-  const NormalDistribution::Value toAfter = normal.at((inside - 1.) / width);
-  const double before = pixel.track * toBefore.cumulative;
-  const double after = pixel.track * toAfter.cumulative;
-  const double own = pixel.track - before - after;
-  const double growth = pixel.track * pixel.growth / pixel.spread;
-  placed.shares = {static_cast<float>(after), static_cast<float>(own), static_cast<float>(before)};
-  placed.growth = {static_cast<float>(growth * toAfter.density), static_cast<float>(growth * toBefore.density)};
+  const double grown = pixel.growth / pixel.spread; // standard deviations of the blur
+  const auto beyond = [&](double border) { return static_cast<float>(pixel.track * normal.at(border).cumulative); };
+  const double toAfter = (inside - 1.) / width;
+  const double toBefore = -inside / width;
+  const float after = beyond(toAfter);
+  const float before = beyond(toBefore);
+  placed.shares = {after, static_cast<float>(pixel.track) - after - before, before};
+  placed.growth = {{{after - beyond(toAfter - grown), beyond(toAfter + grown) - after},
+                    {before - beyond(toBefore - grown), beyond(toBefore + grown) - before}}};
   placed.residual = static_cast<float>(pixel.level - (1. - pixel.ring));
   placed.isCutOff = pixel.isCutOff;
   return placed;

@@ -67,8 +67,8 @@ public:
   void findCoverBeside(CyclicCode::Word word);
 
   /*!
-    Leaves out of what is seen of ring and track the directions in which a word does not explain the pixels, and those
-    beside them. A bright cover over a black sector looks like a white one until the codeword is known.
+    Leaves out of what is seen of ring, track and centre the directions in which a word does not explain the pixels, and
+    those beside them. A bright cover over a black sector looks like a white one until the codeword is known.
   */
   void leaveOutUnexplained(CyclicCode::Word word, SeenParts &seen) const;
 
@@ -96,8 +96,8 @@ private:
   std::array<std::array<float, mostSamples>, 2> m_trust; //!< In paper, in ink, by parts of sectors.
   Table m_evidence;                                      //!< Log-odds for what is seen of a sector.
   double m_cutOffRange = 1e-3;                           //!< Levels that the sensor does not tell from paper.
-  double m_phase = 0.;                                   //!< Where the first sector begins, rad.
   Table m_told;                                          //!< Share of a sector that is told.
+  double m_phase = 0.;                                   //!< Where the first sector begins, rad.
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -48,7 +48,7 @@ double WordEvidence::misfitAt(double phase, CyclicCode::Word word) const
 {
   const std::uint64_t bits = extended(word, m_sectors);
   const float most = m_slack * m_slack;
-  float sum = 0.f;
+  double sum = 0.;
   for (const Pixel &pixel : m_pixels.getMemory().pixels) {
     if (pixel.track > 2. * m_slack) {
       const Explained placed = placedAt(pixel, phase);
@@ -56,7 +56,7 @@ double WordEvidence::misfitAt(double phase, CyclicCode::Word word) const
       sum += std::min(residual * residual, most);
     }
   }
-  return static_cast<double>(sum);
+  return sum;
 }
 
 double WordEvidence::improvePhase(CyclicCode::Word word)

@@ -25,7 +25,8 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  A closed chain as one outline; open ones, and closed ones that are none, are left to be cut into arcs.
+  A closed chain as one outline; open ones, and closed ones that are none or not well found, are left to be cut into
+  arcs.
   \param search : The search; its mark of the chain is set.
   \param index : The chain.
   \param bench : Memory of this thread; has the proposal.

@@ -84,15 +84,17 @@ RankedFits fitCoarsely(const MarkerInImage &view, bool refine, const FitSettings
   return fitFewPixels(view, pattern, refine, settings, memory.pixels, *memory.fitter);
 }
 
-// The light that a measured ring tells, in the coordinates of a frame.
+// The light that a measured ring tells, in the coordinates of a frame. That of a covered one has no shadow.
 Photometry lightOf(const MeasuredRing &ring, const ImageFrame &frame)
 {
   Photometry photometry;
   photometry.light = ring.whiteAt(frame.center);
-  photometry.lightGradient = frame.size / (ring.gamma * photometry.light) * ring.slope;
+  photometry.lightGradient =
+      frame.size * ring.slope / std::max(1. + ring.slope.dot(frame.center - ring.origin), leastLight);
   photometry.absorption = ring.absorption;
   photometry.gamma = ring.gamma;
   photometry.blur.sigma = ring.blur;
+  photometry.blur.setShape(ring.blurShape);
   photometry.blur.spread = ring.growth;
   return photometry;
 }

@@ -52,6 +52,11 @@ void BlurParameters::elongate(const Eigen::Vector2d &step)
   elongation = 0.5 * logarithm(before * exponential(2. * step) * before);
 }
 
+void BlurParameters::setShape(const Eigen::Matrix2d &shape)
+{
+  elongation = logarithm(shape);
+}
+
 double Photometry::contrast() const
 {
   return absorption < 1. ? 1. - std::pow(1. - absorption, gamma) : absorption;

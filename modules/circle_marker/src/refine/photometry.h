@@ -40,6 +40,9 @@ struct BlurParameters
   /*! Makes it longer by a small elongation that is given in the coordinates in which the blur is round. */
   void elongate(const Eigen::Vector2d &step);
 
+  /*! Makes it as long as a shape is: see shape(). */
+  void setShape(const Eigen::Matrix2d &shape);
+
   /*! Standard deviation in the direction where it is largest, pixels. */
   double widest() const { return sigma * std::exp(elongation.norm()); }
 
