@@ -183,8 +183,7 @@ void TrackPixels::turnTo(double phase)
     const double width = pixel.spread * m_sectors;
     placed.before = pixel.track * normal.at(-inside / width).cumulative;
     placed.after = pixel.track * normal.at((inside - 1.) / width).cumulative;
-    placed.own =
-        pixel.track - placed.before - placed.after; // by how much black grows at borders, pure ones hardly feel
+    placed.own = pixel.track - placed.before - placed.after; // pure ones hardly feel that black grows at borders
     placed.residual = pixel.level - (1. - pixel.ring);
     placed.isCutOff = pixel.isCutOff;
     const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
