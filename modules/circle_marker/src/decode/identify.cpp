@@ -170,17 +170,12 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, const TrackPix
   WordEvidence evidence(pixels);
   evidence.turnTo(reading.phase);
   LikeliestWord best = evidence.likeliest(code);
-  double phase = evidence.improvePhase(best.word);
-  CyclicCode::Word turnedTo = best.word;
+  const double phase = evidence.improvePhase(best.word);
+  const CyclicCode::Word turnedTo = best.word;
   best = evidence.likeliest(code);
   evidence.findCoverBeside(best.word);
   best = evidence.likeliest(code);
-  if (best.word != turnedTo) {
-    phase = evidence.improvePhase(best.word);
-    turnedTo = best.word;
-    best = evidence.likeliest(code);
-  }
-  if (best.word != turnedTo) { // neither explains the pixels
+  if (best.word != turnedTo) { // turned to another one in its turn, a code of another family was read as one of this
     return vpCircleMarkerReject::NO_CODEWORD;
   }
   const auto identity = code.identify(best.word);
@@ -203,6 +198,9 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, const TrackPix
   if (result.hamming > settings.maximumHamming || best.odds < leastOddsOfCovered ||
       result.margin < settings.minimumMargin + marginOfCapacity * corrected) {
     return {vpCircleMarkerReject::LOW_MARGIN, result};
+  }
+  if (evidence.isOtherPrint(best.word, seen)) {
+    return {vpCircleMarkerReject::NO_CODEWORD, result};
   }
   return result;
 }

@@ -67,6 +67,13 @@ public:
   void findCoverBeside(CyclicCode::Word word);
 
   /*!
+    Whether another print lies on the track: what a word does not explain is as dark as ink here and as bright as paper
+    there, or is like one of these though all of the ring is seen. A cover has one grey level, seldom one of these, or
+    both.
+  */
+  bool isOtherPrint(CyclicCode::Word word, const SeenParts &seen) const;
+
+  /*!
     Leaves out of what is seen of ring, track and centre the directions in which a word does not explain the pixels, and
     those beside them. A bright cover over a black sector looks like a white one until the codeword is known.
   */

@@ -34,6 +34,15 @@ constexpr double lastStep = 1. / 200.;
 constexpr double mostUnexplained = 0.1;
 // A pixel beside the track has this share of the ring in it, at least, to tell of that.
 constexpr double leastInkOfRing = 0.1;
+// Share of the track's pixels that another print leaves as unexplained ink or paper, and that it leaves of either: of
+// 28 bch31 that were read as golay23 the least were 0.095 and 0.021.
+constexpr double leastOtherPrint = 0.085;
+constexpr double leastOfEither = 0.015;
+// Where this share of the ring is seen, and so much of the track is not explained, a cover would lie on the track
+// alone; if this share of what it shows is like ink or paper, it is another print. Covers of any grey level have less.
+constexpr double wholeRing = 0.9;
+constexpr double muchOfTrack = 0.2;
+constexpr double likePrint = 0.15;
 
 // Pixels in a direction.
 struct Count
@@ -76,6 +85,33 @@ double WordEvidence::improvePhase(CyclicCode::Word word)
   }
   turnTo(best);
   return best;
+}
+
+bool WordEvidence::isOtherPrint(CyclicCode::Word word, const SeenParts &seen) const
+{
+  const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
+  const std::uint64_t bits = extended(word, m_sectors);
+  double all = 0.;
+  double unexplained = 0.;
+  double ink = 0.;
+  double paper = 0.;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const Explained &placed = m_explained[i];
+    if (!placed.isOnTrack) {
+      continue;
+    }
+    all += 1.;
+    if ((placed.byColours >> coloursAt(bits, placed.sector, m_sectors)) & 1U) {
+      continue;
+    }
+    unexplained += 1.;
+    ink += std::abs(pixels[i].level) < m_slack ? 1. : 0.;
+    paper += placed.isCutOff || std::abs(1. - pixels[i].level) < m_slack ? 1. : 0.;
+  }
+  const bool hasBoth = ink + paper > leastOtherPrint * all && std::min(ink, paper) > leastOfEither * all;
+  const bool isInside =
+      seen.share() > wholeRing && unexplained > muchOfTrack * all && ink + paper > likePrint * unexplained;
+  return hasBoth || isInside;
 }
 
 void WordEvidence::leaveOutUnexplained(CyclicCode::Word word, SeenParts &seen) const
