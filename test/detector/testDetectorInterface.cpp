@@ -342,3 +342,35 @@ TEST(DetectorInterface, CorrectionCanBeForbidden)
   ASSERT_TRUE(detector.detect(scene.I));
   EXPECT_EQ(detector.getNbObjects(), 2u);
 }
+
+// Half of the sectors of another family's marker agree with some codeword, and the others are not what covers it. Of
+// 600 markers of each pair none to two were read; before that was asked, 8 to 90.
+TEST(DetectorInterface, MarkersOfAnotherFamilyAreNotRead)
+{
+  constexpr int frames = 30;
+  constexpr unsigned int most = 2;
+  using Family = vpCircleMarkerFamily;
+  Random random = randomOfTest();
+  unsigned int wrong = 0;
+  for (const auto &[shown, sought] : {std::pair{Family::GOLAY23, Family::BCH31R},
+                                      {Family::GOLAY23, Family::BCH31},
+                                      {Family::BCH31, Family::GOLAY23},
+                                      {Family::BCH31R, Family::GOLAY23}}) {
+    vpDetectorCircleMarker detector(sought);
+    for (int frame = 0; frame < frames; ++frame) {
+      vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+      std::vector<vpSimulatedMarker> markers;
+      for (const double u : {170., 460.}) {
+        const vpHomogeneousMatrix cMo =
+            randomPose(random, uniform(random, 40., 160.), uniform(random, 0., 0.8), u, 240.);
+        markers.push_back(printed(shown, randomId(random, shown)).setPose(cMo));
+        simulator.addMarker(markers.back());
+      }
+      vpImage<unsigned char> I;
+      simulator.render(I, random());
+      detector.detect(I);
+      wrong += static_cast<unsigned int>(detector.getNbObjects());
+    }
+  }
+  EXPECT_LE(wrong, most) << "of " << 8 * frames;
+}

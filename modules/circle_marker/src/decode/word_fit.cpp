@@ -43,6 +43,21 @@ constexpr double leastOfEither = 0.015;
 constexpr double wholeRing = 0.9;
 constexpr double muchOfTrack = 0.2;
 constexpr double likePrint = 0.15;
+constexpr int placesOfPrint = 4;
+
+// Runs of directions, most of a sector long, in which the track is not seen.
+int placesNotSeen(const SeenParts &seen)
+{
+  constexpr unsigned int shortest = 3 * coveredSamplesPerSector / 4;
+  int places = 0;
+  unsigned int length = 0;
+  for (unsigned int k = 0; k < 2 * seen.directions;
+       ++k) { // twice around: one that goes on over the start is counted once
+    length = seen.track[k % seen.directions] ? 0 : length + 1;
+    places += k >= seen.directions && length == shortest ? 1 : 0;
+  }
+  return places;
+}
 
 // Pixels in a direction.
 struct Count
@@ -107,6 +122,9 @@ bool WordEvidence::isOtherPrint(CyclicCode::Word word, const SeenParts &seen) co
     unexplained += 1.;
     ink += std::abs(pixels[i].level) < m_slack ? 1. : 0.;
     paper += placed.isCutOff || std::abs(1. - pixels[i].level) < m_slack ? 1. : 0.;
+  }
+  if (placesNotSeen(seen) < placesOfPrint) {
+    return false;
   }
   const bool hasBoth = ink + paper > leastOtherPrint * all && std::min(ink, paper) > leastOfEither * all;
   const bool isInside =
