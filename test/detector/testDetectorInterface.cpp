@@ -343,8 +343,8 @@ TEST(DetectorInterface, CorrectionCanBeForbidden)
   EXPECT_EQ(detector.getNbObjects(), 2u);
 }
 
-// Half of the sectors of another family's marker agree with some codeword, and the others are not what covers it. Of
-// 600 markers of each pair none to two were read; before that was asked, 8 to 90.
+// Half of the sectors of another family's marker agree with some codeword, and the others are not what covers it.
+// Before that was asked, 22 of these were read.
 TEST(DetectorInterface, MarkersOfAnotherFamilyAreNotRead)
 {
   constexpr int frames = 30;

@@ -175,7 +175,7 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, const TrackPix
   best = evidence.likeliest(code);
   evidence.findCoverBeside(best.word);
   best = evidence.likeliest(code);
-  if (best.word != turnedTo) { // turned to another one in its turn, a code of another family was read as one of this
+  if (best.word != turnedTo) { // the phase is another word's
     return vpCircleMarkerReject::NO_CODEWORD;
   }
   const auto identity = code.identify(best.word);

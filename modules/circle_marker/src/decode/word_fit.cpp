@@ -43,6 +43,7 @@ constexpr double leastOfEither = 0.015;
 constexpr double wholeRing = 0.9;
 constexpr double muchOfTrack = 0.2;
 constexpr double likePrint = 0.15;
+// And it is scattered: in so many places around the marker, where one cover is in one or two.
 constexpr int placesOfPrint = 4;
 
 // Runs of directions, most of a sector long, in which the track is not seen.
@@ -51,8 +52,8 @@ int placesNotSeen(const SeenParts &seen)
   constexpr unsigned int shortest = 3 * coveredSamplesPerSector / 4;
   int places = 0;
   unsigned int length = 0;
-  for (unsigned int k = 0; k < 2 * seen.directions;
-       ++k) { // twice around: one that goes on over the start is counted once
+  // Twice around: a run that goes on over the start is counted once.
+  for (unsigned int k = 0; k < 2 * seen.directions; ++k) {
     length = seen.track[k % seen.directions] ? 0 : length + 1;
     places += k >= seen.directions && length == shortest ? 1 : 0;
   }
