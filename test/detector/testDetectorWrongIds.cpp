@@ -22,6 +22,7 @@
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
 
+#include "hardships.h"
 #include "scenes.h"
 
 namespace {
@@ -92,4 +93,15 @@ TEST(DetectorWrongIds, MarkersOfFewPixelsInAnyLight)
     EXPECT_EQ(outcome.wrong, 0u) << frame.seed;
     EXPECT_GE(outcome.right, frame.leastRight) << frame.seed;
   }
+}
+
+// A dark polygon over a third of the code makes it another codeword, with odds of e^2585, and of the pixels that are not
+// covered the fit leaves noise. It was read as that one.
+TEST(DetectorWrongIds, ACoveredCodeThatLooksLikeAnother)
+{
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::BCH31R);
+  const bench::Hardship hardship = {"polygon", 0.25, true};
+  const Outcome outcome = outcomeOf(bench::makeHardScene(hardship, "bch31r", 7100021395), detector);
+  EXPECT_EQ(outcome.wrong, 0u);
+  EXPECT_EQ(outcome.right, 1u);
 }

@@ -50,9 +50,12 @@ constexpr double mostUnexplainedIfRead = 2.;
 // Beyond these odds, ln, where the whole measurement leaves no more than this factor of the noise and this share of the
 // contrast, what the best codeword leaves is the coarseness of the comparison: of markers of 200 to 400 pixels that are
 // 8 to 14 wide, with odds of 2500 and more, it is 1.7 to 3.9. What is no marker had 34 at most in 40 frames of clutter.
+// So much is left of nearly all pixels: noise is told from most of them, and a cover over a third of a code, which makes
+// it look like another one, is none of these. (Such a one had 0.72 of the pixels, right codes of few pixels 0.86.)
 constexpr double overwhelmingOdds = 1000.;
 constexpr double noiseAlone = 1.2;
 constexpr double lackingAlone = 0.005;
+constexpr double leastInliersAlone = 0.85;
 // At a wrong pose, too, one codeword is the best, by up to e^64; but it does not leave the image's noise alone. Of a
 // right one no more is left than this factor, and this share of the contrast for what the model lacks: the higher its
 // odds, ln, the more. (A golay23 of 9 pixels in a blur of 1.2 was read as another, with odds of e^35, where 1.4 times
@@ -90,7 +93,7 @@ double contrastOf(const FittedPose &fit)
 bool isOverwhelming(const LikelyCode &code, const CodeToProve &what)
 {
   const double most = noiseAlone * std::max(what.noise, rounding) + lackingAlone * contrastOf(what.fit);
-  return code.odds > overwhelmingOdds && what.fit.noise < most;
+  return code.odds > overwhelmingOdds && what.fit.noise < most && what.fit.inliers > leastInliersAlone;
 }
 
 // Whether a fit leaves no more of the image than one of a print does: noise, and a share of the contrast. No sensor

@@ -86,7 +86,7 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
     if (attempt.kind != ReadingKind::WHOLE) {
-      if (attempt.kind == ReadingKind::COVERED && !outline.isByLine) {
+      if (attempt.kind == ReadingKind::COVERED) {
         examination.marker = recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, family, settings.decode,
                                                      bench.measuring, visit.deadline);
       }

@@ -33,6 +33,7 @@ FittedPose fitThatLeaves(double left, double correlation = 0.99)
   fit.photometry.absorption = 0.75;
   fit.noise = left;
   fit.correlation = correlation;
+  fit.inliers = 0.93;
   return fit;
 }
 
@@ -85,6 +86,9 @@ TEST(CodeProof, OverwhelmingOddsNeedNotIfNoiseAloneIsLeft)
   EXPECT_FALSE(proves(999., fitThatLeaves(3.1), 2., false, 3.9));
   EXPECT_FALSE(proves(1001., fitThatLeaves(3.2), 2., false, 3.9));
   EXPECT_TRUE(proves(1001., fitThatLeaves(3.2), 2., false, 1.5)) << "as any other";
+  FittedPose covered = fitThatLeaves(3.1); // noise is told from most of the pixels, whatever the others are
+  covered.inliers = 0.84;
+  EXPECT_FALSE(proves(1001., covered, 2., false, 3.9));
 }
 
 TEST(CodeProof, NoOtherCodeIsMeasuredWhereNoneExplainsTheTrack)

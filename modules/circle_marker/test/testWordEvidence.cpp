@@ -183,6 +183,33 @@ TEST(WordEvidence, LeavesOutWhatTheWordDoesNotExplain)
   }
 }
 
+TEST(WordEvidence, AnotherPrintIsNoCoverUnlessTheRingIsHiddenWithIt)
+{
+  TrackMemory memory;
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const vpCircleMarkerFamily other(vpCircleMarkerFamily::BCH31);
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene marker = scene(random, other);
+    const auto picture = [&](double u, double v) { return marker(u, v); };
+    const TrackPixels pixels(photograph(150, 150, lens, picture), CameraModel(marker.camera()), measuredRing(marker),
+                             family, memory);
+    WordEvidence evidence(pixels);
+    evidence.turnTo(0.);
+    const CyclicCode::Word likeliest = evidence.likeliest(codeOf(family)).word;
+    SeenParts seen;
+    seen.directions = coveredSamplesPerSector * family.getNbSectors();
+    for (unsigned int k = 0; k < seen.directions; ++k) {
+      seen.ring[k] = seen.track[k] = true;
+    }
+    EXPECT_FALSE(evidence.isOtherPrint(likeliest, seen)) << "in one place at most";
+    evidence.leaveOutUnexplained(likeliest, seen);
+    EXPECT_TRUE(evidence.isOtherPrint(likeliest, seen));
+    seen.ring = seen.track; // what hides one hides the other: bars
+    EXPECT_FALSE(evidence.isOtherPrint(likeliest, seen));
+  }
+}
+
 TEST(WordEvidence, WhiteThatIsCutOffIsBelievedLessThanWhatTheSensorTells)
 {
   TrackMemory memory;

@@ -69,7 +69,9 @@ public:
   /*!
     Whether another print lies on the track: what a word does not explain is as dark as ink here and as bright as paper
     there, or is like one of these though all of the ring is seen. A cover has one grey level, seldom one of these, or
-    both.
+    both. And it is scattered around the marker, in places where the ring is seen: bars hide both.
+    \param word : The word.
+    \param seen : What is seen of the marker, without what the word does not explain: leaveOutUnexplained().
   */
   bool isOtherPrint(CyclicCode::Word word, const SeenParts &seen) const;
 

@@ -46,16 +46,38 @@ constexpr double likePrint = 0.15;
 // And it is scattered: in so many places around the marker, where one cover is in one or two.
 constexpr int placesOfPrint = 4;
 
-// Runs of directions, most of a sector long, in which the track is not seen.
-int placesNotSeen(const SeenParts &seen)
+// Runs of directions, most of a sector long, in which the track is not seen though the ring is, to a sector around: what
+// crosses a marker hides both.
+int placesOfTrackAlone(const SeenParts &seen)
 {
   constexpr unsigned int shortest = 3 * coveredSamplesPerSector / 4;
+  constexpr unsigned int around = coveredSamplesPerSector;
+  const auto isCrossed = [&](unsigned int k) {
+    for (unsigned int i = 0; i <= 2 * around; ++i) {
+      if (!seen.ring[(k + seen.directions - around + i) % seen.directions]) {
+        return true;
+      }
+    }
+    return false;
+  };
+  unsigned int start = 0; // a direction in which the track is seen, so that no run goes on over the start
+  while (start < seen.directions && !seen.track[start]) {
+    ++start;
+  }
   int places = 0;
   unsigned int length = 0;
-  // Twice around: a run that goes on over the start is counted once.
-  for (unsigned int k = 0; k < 2 * seen.directions; ++k) {
-    length = seen.track[k % seen.directions] ? 0 : length + 1;
-    places += k >= seen.directions && length == shortest ? 1 : 0;
+  bool isAlone = true;
+  for (unsigned int i = 1; i <= seen.directions; ++i) {
+    const unsigned int k = (start + i) % seen.directions;
+    if (seen.track[k]) {
+      places += isAlone && length >= shortest ? 1 : 0;
+      length = 0;
+      isAlone = true;
+    }
+    else {
+      ++length;
+      isAlone = isAlone && !isCrossed(k);
+    }
   }
   return places;
 }
@@ -124,7 +146,7 @@ bool WordEvidence::isOtherPrint(CyclicCode::Word word, const SeenParts &seen) co
     ink += std::abs(pixels[i].level) < m_slack ? 1. : 0.;
     paper += placed.isCutOff || std::abs(1. - pixels[i].level) < m_slack ? 1. : 0.;
   }
-  if (placesNotSeen(seen) < placesOfPrint) {
+  if (placesOfTrackAlone(seen) < placesOfPrint) {
     return false;
   }
   const bool hasBoth = ink + paper > leastOtherPrint * all && std::min(ink, paper) > leastOfEither * all;
