@@ -40,11 +40,12 @@ struct Floor
 {
   vpCircleMarkerFamily::vpType family;
   const char *shape;
-  double share;       //!< Of the disc's diameter that the cover takes, all bars together.
-  unsigned int least; //!< Found and rightly read, of all frames.
-  double gamma = 1.;  //!< The camera's.
-  double motion = 0.; //!< Way of the marker's image while the camera looks, pixels.
-  double light = 1.;  //!< What is too much of it: from 1.16 on paper is cut off.
+  double share;                   //!< Of the disc's diameter that the cover takes, all bars together.
+  unsigned int least;             //!< Found and rightly read, of all frames.
+  double gamma = 1.;              //!< The camera's.
+  double motion = 0.;             //!< Way of the marker's image while the camera looks, pixels.
+  double light = 1.;              //!< What is too much of it: from 1.16 on paper is cut off.
+  double distance = mostDistance; //!< Most of the mean squared Mahalanobis distance.
 };
 
 // A bar's, from one line to another; either may be beyond the sheet.
@@ -136,7 +137,7 @@ TEST_P(DetectorOcclusion, MarkersAreFoundAndRightlyReadOrNotAtAll)
   }
   EXPECT_GE(found, floor.least) << "of " << frames;
   EXPECT_LE(misjudged, mostMisjudged) << "of " << found;
-  EXPECT_LE(sum, mostDistance * found) << "of " << found;
+  EXPECT_LE(sum, floor.distance * found) << "of " << found;
 }
 
 INSTANTIATE_TEST_SUITE_P(Floors, DetectorOcclusion,
@@ -154,7 +155,10 @@ INSTANTIATE_TEST_SUITE_P(Floors, DetectorOcclusion,
                                          Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.3, 54, 2.2},
                                          Floor{vpCircleMarkerFamily::GOLAY23, "bar", 0.15, 54, 0.45},
                                          Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 54, 1., 3.},
-                                         Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 54, 1., 0., 1.5}),
+                                         Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 54, 1., 0., 1.5},
+                                         // Mostly read as whole ones: what covers them was in the fit, or was a shadow.
+                                         Floor{vpCircleMarkerFamily::GOLAY23, "halfplane", 0.15, 57, 1., 0., 1., 1.25},
+                                         Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.15, 57, 1., 0., 1., 1.25}),
                          [](const auto &info) {
                            const Floor &floor = info.param;
                            const auto hundredths = [](double value) {

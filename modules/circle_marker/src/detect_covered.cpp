@@ -21,6 +21,8 @@
 #include <cmath>
 #include <utility>
 
+#include "decode/covered_reading.h"
+#include "decode/word_evidence.h"
 #include "refine/fit_starts.h"
 #include "support/bilinear.h"
 #include "support/normal_distribution.h"
@@ -51,6 +53,9 @@ constexpr double correlationOfPrint = 0.95;
 constexpr double mostNoiseAlone = 1.2;
 // And of its outline this share is found.
 constexpr double leastSupportOfWhole = 0.9;
+
+// Of a ring that nothing covers this share is seen: here and there noise hides a direction.
+constexpr double wholeRing = 0.97;
 
 // Where the blur leaves no pixel that shows one sector alone, the fit has to tell, and leaves no more than this share
 // of the contrast besides noise; of a ring with teeth, which are no code, it left 0.12.
@@ -166,6 +171,29 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
   }
   const TrackPixels pixels(I, camera, ringOf(measurement.first, marker.poses[0], camera), marker.family, memory.track);
   return isLikeliest(pixels, marker.family.getCodeword(marker.code.id), marker.family);
+}
+
+std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, const CameraModel &camera, double support,
+                                             const Recognition &marker, const Measurement &measurement,
+                                             MeasureMemory &memory)
+{
+  if (support >= leastSupportOfWhole || !marker.family.isCoded() || marker.seen || marker.blurred) {
+    return std::nullopt;
+  }
+  const MarkerPlane &plane = measurement.first.plane;
+  auto reading = readCoveredSectors(I, camera, plane, marker.family);
+  if (!reading) {
+    return std::nullopt;
+  }
+  Recognition covered = marker;
+  covered.ring = ringOf(measurement.first, marker.poses[0], camera);
+  covered.poses = {plane, mirrored(plane)};
+  TrackPixels pixels(I, camera, *covered.ring, marker.family, memory.track);
+  WordEvidence evidence(pixels);
+  evidence.turnTo(0.);
+  evidence.leaveOutUnexplained(marker.family.getCodeword(marker.code.id), reading->seen);
+  covered.seen = reading->seen;
+  return reading->seen.share() < wholeRing ? std::make_optional(std::move(covered)) : std::nullopt;
 }
 
 double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,

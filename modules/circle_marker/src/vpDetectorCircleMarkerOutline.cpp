@@ -167,8 +167,18 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
   MeasureMemory &memory = bench.measuring;
   const double noise = m_outlines.full.gradient.noise;
   const WholeVerdict verdict = judgeWhole(visit.I, visit.camera, noise, outline.support, marker, measurement, memory);
-  if (verdict != WholeVerdict::COVERED) {
-    return verdict == WholeVerdict::RIGHT ? std::optional<Measurement>(measurement) : std::nullopt;
+  if (verdict == WholeVerdict::WRONG) {
+    return std::nullopt;
+  }
+  if (verdict == WholeVerdict::RIGHT) {
+    auto part = withoutWhatCovers(visit.I, visit.camera, outline.support, marker, measurement, memory);
+    auto again = part ? measure(visit.I, visit.camera, *part, true, memory, visit.deadline) : std::nullopt;
+    // Of what is left more is explained; not if a shadow lies there, too, which no covered marker is measured with.
+    if (!again || again->first.inliers < measurement.first.inliers) {
+      return measurement;
+    }
+    marker = std::move(*part);
+    return again;
   }
   const auto poses = posesFromOutline(outline.points, visit.camera, measurement.first.plane.radius, bench.meters);
   auto covered = poses ? recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, marker.family, settings.decode,
