@@ -45,6 +45,20 @@ TEST(BlurShape, WidensWhatIsOutOfFocusAndLeavesMoreThanNoise)
   EXPECT_NEAR(growth(2., 4.), 1. + (1. - 0.25 * 1.03 * 1.03) * 20. * 4., 1e-9);
   EXPECT_GT(growth(3., 4.), growth(2., 4.));
   EXPECT_GT(growth(2., 6.), growth(2., 4.));
-  EXPECT_EQ(growth(2., 4., 0.6), 1.); // moved, not out of focus
+  EXPECT_EQ(growth(2., 4., 0.6, true), 1.); // moved, not out of focus
   EXPECT_NEAR(growth(2., 4., 0., true), 1. + (1. - 0.25 * 1.03 * 1.03) * 5. * 4., 1e-9);
+}
+
+// Their outer edges see both ends of the way alike; a code's edges see each of them from all sides.
+TEST(BlurShape, WidensWhatHasMovedIfItIsARing)
+{
+  const double elongation = 0.6;
+  FittedPose fit;
+  fit.photometry.blur.sigma = 2.;
+  fit.photometry.blur.elongation = Eigen::Vector2d(elongation, 0.);
+  const double widest = fit.photometry.blur.widest();
+  const double narrowest = 4. / widest;
+  ASSERT_LT(narrowest, 1.2);
+  EXPECT_NEAR(growth(2., 4., elongation), 1. + (1. - 0.25 * 1.03 * 1.03) * 1.5 * narrowest * (widest - narrowest), 1e-9);
+  EXPECT_EQ(growth(2., 2.05, elongation), 1.); // nothing left but noise
 }

@@ -30,18 +30,30 @@ constexpr double usualNoise = 1.03;
 constexpr double coherentArea = 20.;
 // Where the edges of a code face all ways, over about a quarter of them.
 constexpr double coherentAreaOfCode = 5.;
+// A motion's way is long, but what its shape leaves mostly cancels between its two ends. Of a ring without a code, whose
+// edges face both ends alike, it leaves the rest: over so many pixels, in units of the product of the blur's standard
+// deviations across the motion and what it is longer along it. (Motions of a tenth of the diameter, 40 to 160 pixels.)
+constexpr double coherentAreaOfMotion = 1.5;
 } // namespace
 
 void widenByShapeOfBlur(double noise, bool isCoded, FittedPose &fit)
 {
-  // Where it is narrow: a motion's way is long, but what its shape leaves cancels between its two ends.
   const BlurParameters &fitted = fit.photometry.blur;
-  const double blur = fitted.sigma * fitted.sigma / fitted.widest();
+  const double widest = fitted.widest();
+  const double narrowest = fitted.sigma * fitted.sigma / widest;
   const double usual = usualNoise * noise;
-  if (blur > wideBlur && fit.noise > usual) {
-    const double share = 1. - usual * usual / (fit.noise * fit.noise);
-    fit.covariance *= 1. + share * (isCoded ? coherentAreaOfCode : coherentArea) * blur * blur;
+  if (fit.noise <= usual) {
+    return;
   }
+  double area = 0.; // pixels
+  if (narrowest > wideBlur) {
+    area += (isCoded ? coherentAreaOfCode : coherentArea) * narrowest * narrowest;
+  }
+  if (widest > wideBlur && !isCoded) {
+    area += coherentAreaOfMotion * narrowest * (widest - narrowest);
+  }
+  const double share = 1. - usual * usual / (fit.noise * fit.noise);
+  fit.covariance *= 1. + share * area;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

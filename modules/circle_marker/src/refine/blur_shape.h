@@ -30,6 +30,7 @@ namespace circle_marker {
 /*!
   Widens the covariance of a marker that is seen through a wide blur: what neighbouring directions pull differently is
   in it (coherence.cpp), what all of them leave alike is not. With a code most of that cancels: its edges face all ways.
+  So it does in a motion, but for some of it on a ring without a code.
   \param noise : Of the image, standard deviation, grey levels.
   \param isCoded : Whether the marker has a code.
   \param fit : The pose.
