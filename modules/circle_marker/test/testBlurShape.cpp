@@ -59,6 +59,7 @@ TEST(BlurShape, WidensWhatHasMovedIfItIsARing)
   const double widest = fit.photometry.blur.widest();
   const double narrowest = 4. / widest;
   ASSERT_LT(narrowest, 1.2);
-  EXPECT_NEAR(growth(2., 4., elongation), 1. + (1. - 0.25 * 1.03 * 1.03) * 1.5 * narrowest * (widest - narrowest), 1e-9);
+  EXPECT_NEAR(growth(2., 4., elongation), 1. + (1. - 0.25 * 1.03 * 1.03) * 1.5 * narrowest * (widest - narrowest),
+              1e-9);
   EXPECT_EQ(growth(2., 2.05, elongation), 1.); // nothing left but noise
 }
