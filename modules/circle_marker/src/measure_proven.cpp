@@ -143,7 +143,10 @@ std::optional<Measurement> measureWithProof(const vpImage<unsigned char> &I, con
     if (!measurement) {
       return std::nullopt;
     }
-    if (!marker.isCertain && measurement->first.correlation < leastCorrelationMeasured) {
+    // A sector that had to be corrected shows something else than the code: the reading is certain of the others only,
+    // and by those a marker of which a part is covered may be another one.
+    const bool isClear = marker.isCertain && marker.code.hamming == 0;
+    if (!isClear && measurement->first.correlation < leastCorrelationMeasured) {
       return std::nullopt;
     }
     const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family, memory.code, deadline);
@@ -151,7 +154,7 @@ std::optional<Measurement> measureWithProof(const vpImage<unsigned char> &I, con
       return std::nullopt;
     }
     if (!code) { // the first reading decides, if what was read is there at all
-      const bool isThere = marker.isCertain && leavesWhatPrintsLeave(measurement->first, noise);
+      const bool isThere = isClear && leavesWhatPrintsLeave(measurement->first, noise);
       return isThere ? measurement : std::nullopt;
     }
     if (code->best.id < 0) {
@@ -160,10 +163,10 @@ std::optional<Measurement> measureWithProof(const vpImage<unsigned char> &I, con
     const bool isSame =
         code->best.id == marker.code.id && std::abs(code->best.spin) < M_PI / marker.family.getNbSectors();
     if (isSame) {
-      if (!isProven(*code, {marker.family, measurement->first, noise, marker.isCertain, memory.pixels.size()})) {
+      if (!isProven(*code, {marker.family, measurement->first, noise, isClear, memory.pixels.size()})) {
         return std::nullopt;
       }
-      if (marker.isCertain || code->odds > clearOdds) {
+      if (isClear || code->odds > clearOdds) {
         return settled(I, camera, *measurement, marker, memory, deadline);
       }
       auto other = challenger(I, camera, *code, *measurement, marker, memory, deadline);
