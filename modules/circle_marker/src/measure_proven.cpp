@@ -17,6 +17,7 @@
 
 #include "measure_proven.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "code_proof.h"
@@ -38,6 +39,9 @@ constexpr double leastCorrelationMeasured = 0.9;
 // Below clear odds the next likely code is measured, too, and has to leave more of the image by this factor. Right ones
 // left 0.82 and 0.87 times what the wrong one did, wrong ones mostly 1.2 times what the right one did and more.
 constexpr double clearlyMore = 1.02;
+// Whatever its odds, a code leaves no more than this factor of what another one left that was measured before: one whose
+// track something covers was refused, and another one proven that left 1.4 times as much.
+constexpr double muchMore = 1.2;
 // How often another code is measured: the first was read at a pose that the code did not yet help to measure.
 constexpr int mostRounds = 3;
 
@@ -133,9 +137,11 @@ Measurement settled(const vpImage<unsigned char> &I, const CameraModel &camera, 
   return *again;
 }
 
-// The marker's measurement, if a code is proven by it, which may be another one than was read.
+// The marker's measurement, if a code is proven by it, which may be another one than was read. leastLeft: the least that
+// a code left which was measured before, grey levels.
 std::optional<Measurement> measureWithProof(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
-                                            Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
+                                            Recognition &marker, double &leastLeft, MeasureMemory &memory,
+                                            const Deadline &deadline)
 {
   for (int round = 0; round < mostRounds; ++round) {
     const ImageFrame frame = frameOf(marker.poses[0], camera);
@@ -149,6 +155,10 @@ std::optional<Measurement> measureWithProof(const vpImage<unsigned char> &I, con
     if (!isClear && measurement->first.correlation < leastCorrelationMeasured) {
       return std::nullopt;
     }
+    if (!isClear && measurement->first.noise > muchMore * leastLeft) {
+      return std::nullopt;
+    }
+    leastLeft = std::min(leastLeft, measurement->first.noise);
     const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family, memory.code, deadline);
     if (deadline.hasPassed()) {
       return std::nullopt;
@@ -202,19 +212,20 @@ bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily
 std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
                                          Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
 {
+  double leastLeft = HUGE_VAL;
   if (marker.isCertain) {
-    return measureWithProof(I, camera, noise, marker, memory, deadline);
+    return measureWithProof(I, camera, noise, marker, leastLeft, memory, deadline);
   }
   const Recognition asRead = marker;
   marker.darkness.reset();
   std::optional<Measurement> measurement;
   if (isLikeAtStart(I, camera, marker, memory, deadline)) {
-    measurement = measureWithProof(I, camera, noise, marker, memory, deadline);
+    measurement = measureWithProof(I, camera, noise, marker, leastLeft, memory, deadline);
   }
   if (!measurement && asRead.darkness && isLikeAtStart(I, camera, asRead, memory, deadline)) {
     marker = asRead;
     if (setLikeliest(I, camera, marker, memory, deadline)) {
-      measurement = measureWithProof(I, camera, noise, marker, memory, deadline);
+      measurement = measureWithProof(I, camera, noise, marker, leastLeft, memory, deadline);
     }
   }
   return measurement;
