@@ -27,7 +27,6 @@
 #include <visp3/core/vpThetaUVector.h>
 #include <visp3/io/vpImageIo.h>
 
-#include "hardships.h"
 
 namespace bench {
 namespace {
@@ -148,7 +147,7 @@ bool judge(const Scene &scene, const vpDetectorCircleMarker &detector, Line &lin
 } // namespace
 
 void tellHardships(std::ostream &out, const std::string &family, unsigned int frames, std::uint64_t seed,
-                   const std::string &only, const std::string &pictures)
+                   HardMarkers markers, const std::string &only, const std::string &pictures)
 {
   vpDetectorCircleMarker detector(vpCircleMarkerFamily::fromName(family));
   detector.setZAlignedWithCameraAxis(true);
@@ -170,7 +169,7 @@ void tellHardships(std::ostream &out, const std::string &family, unsigned int fr
     sum(&hardship);
     Line line;
     for (unsigned int frame = 0; frame < frames; ++frame) {
-      const Scene scene = makeHardScene(hardship, family, 1000003 * seed + frame);
+      const Scene scene = makeHardScene(hardship, family, 1000003 * seed + frame, markers);
       std::vector<vpHomogeneousMatrix> poses;
       detector.detect(scene.image, markerSize, scene.camera, poses);
       const unsigned int wrong = line.wrong;

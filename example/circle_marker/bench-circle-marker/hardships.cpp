@@ -30,6 +30,8 @@ constexpr unsigned int imageWidth = 640;  // pixels
 constexpr unsigned int imageHeight = 480; // pixels
 constexpr double leastDiameter = 40.;     // of the ring before its tilt, pixels
 constexpr double mostDiameter = 160.;     // pixels
+constexpr double leastSmall = 12.;        // of small ones, pixels
+constexpr double mostSmall = 45.;         // pixels
 constexpr double mostTilt = M_PI / 3.;    // rad
 constexpr int halvings = 24;              // of an interval that has the covered share: to 1e-7 of it
 
@@ -314,11 +316,16 @@ const std::vector<Hardship> &hardships()
   return list;
 }
 
-Scene makeHardScene(const Hardship &hardship, const std::string &family, std::uint64_t seed)
+Scene makeHardScene(const Hardship &hardship, const std::string &family, std::uint64_t seed, HardMarkers markers)
 {
   Random random(seed);
   Draft draft = {vpMarkerSceneSimulator(cameraOf(imageWidth, imageHeight), imageWidth, imageHeight), {}};
-  draft.diameter = leastDiameter * std::pow(mostDiameter / leastDiameter, uniform(random, 0., 1.));
+  const bool isSmall = markers == HardMarkers::SMALL;
+  const double least = isSmall ? leastSmall : leastDiameter;
+  draft.diameter = least * std::pow((isSmall ? mostSmall : mostDiameter) / least, uniform(random, 0., 1.));
+  if (isSmall) {
+    draft.photometry = anyPhotometry(~seed);
+  }
   draft.tilt = uniform(random, 0., mostTilt);
   draft.poseSeed = random();
   const double margin = 0.85 * draft.diameter; // half the diagonal of the sheet

@@ -36,13 +36,22 @@ struct Hardship
 /*! All that the table of hardships has. */
 const std::vector<Hardship> &hardships();
 
+/*! Diameters of the markers of hard frames before their tilt, and their light. */
+enum class HardMarkers
+{
+  USUAL, //!< 40 to 160 pixels.
+  SMALL  //!< 12 to 45 pixels, in any light.
+};
+
 /*!
-  A frame of 640 x 480 pixels with one marker on clutter, of 40 to 160 pixels and a tilt up to 60 degrees.
+  A frame of 640 x 480 pixels with one marker on clutter, at a tilt up to 60 degrees.
   \param hardship : What it suffers.
   \param family : Of the marker.
   \param seed : The same seed gives the same frame.
+  \param markers : How large the marker is, in which light.
 */
-Scene makeHardScene(const Hardship &hardship, const std::string &family, std::uint64_t seed);
+Scene makeHardScene(const Hardship &hardship, const std::string &family, std::uint64_t seed,
+                    HardMarkers markers = HardMarkers::USUAL);
 } // namespace bench
 
 #endif

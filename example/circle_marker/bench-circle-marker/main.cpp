@@ -60,6 +60,8 @@ int main(int argc, char *argv[])
                  "Table of the share of markers that are found where they are covered or the picture is bad, N frames "
                  "of each kind")
       ->check(CLI::Range(1, 1000000));
+  bool areSmall = false;
+  app.add_flag("--small", areSmall, "With --hardships markers of 12 to 45 pixels, in any light, not of 40 to 160");
   std::uint64_t seed = 1;
   app.add_option("--seed", seed, "Seed of the frames for --reach, --hardships and --phantoms")->capture_default_str();
   std::string only;
@@ -100,7 +102,8 @@ int main(int argc, char *argv[])
       bench::tellReach(std::cout, family, reach, seed, overlays);
     }
     if (hardships > 0) {
-      bench::tellHardships(std::cout, family, hardships, seed, only, overlays);
+      const auto markers = areSmall ? bench::HardMarkers::SMALL : bench::HardMarkers::USUAL;
+      bench::tellHardships(std::cout, family, hardships, seed, markers, only, overlays);
     }
     if (phantoms > 0) {
       bench::tellPhantoms(std::cout, phantoms, seed, only, overlays);

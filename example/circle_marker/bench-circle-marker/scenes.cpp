@@ -186,6 +186,12 @@ vpCameraParameters cameraOf(unsigned int width, unsigned int height)
   return vpCameraParameters(focal, focal, 0.5 * (width - 1.), 0.5 * (height - 1.));
 }
 
+vpScenePhotometry anyPhotometry(std::uint64_t seed)
+{
+  Random random(seed);
+  return drawPhotometry(random);
+}
+
 vpHomogeneousMatrix randomPose(std::uint64_t seed, const vpCameraParameters &camera, double diameter, double tilt,
                                double u, double v)
 {

@@ -62,6 +62,12 @@ struct Scene
 vpCameraParameters cameraOf(unsigned int width, unsigned int height);
 
 /*!
+  Ink, paper, blur, noise, light gradient and gamma of any picture that a camera may take.
+  \param seed : Of what is random.
+*/
+vpScenePhotometry anyPhotometry(std::uint64_t seed);
+
+/*!
   A z-aligned pose of any direction of tilt and any spin.
   \param seed : Of what is random.
   \param camera : Without distortion.

@@ -22,6 +22,8 @@
 #include <ostream>
 #include <string>
 
+#include "hardships.h"
+
 namespace bench {
 /*!
   CPU time of the whole detection on frames of 1280 x 960 pixels, beside that of the others, all in turn on the same
@@ -46,17 +48,18 @@ void tellReach(std::ostream &out, const std::string &family, unsigned int frames
 /*!
   Share of the markers that are found and rightly read where something covers a part of them or the picture is bad, how
   the errors of their poses compare with the covariances (squared Mahalanobis distance by degrees of freedom), and how
-  often the visible share of the outline is told wrong by more than 0.1. One marker of 40 to 160 pixels a frame, tilts
-  to 60 degrees, on clutter.
+  often the visible share of the outline is told wrong by more than 0.1. One marker a frame, tilts to 60 degrees, on
+  clutter.
   \param out : Where the table goes, Markdown.
   \param family : Name of the markers' family.
   \param frames : How many of each hardship.
   \param seed : Of the frames.
-  \param only : Part of the names of the hardships to be looked at; empty for all.
+  \param markers : How large they are, in which light.
+  \param only : Name of the hardship to be looked at; empty for all.
   \param pictures : Folder to write the frames to whose marker was not found or wrongly read; empty for none.
 */
 void tellHardships(std::ostream &out, const std::string &family, unsigned int frames, std::uint64_t seed,
-                   const std::string &only, const std::string &pictures);
+                   HardMarkers markers, const std::string &only, const std::string &pictures);
 
 /*!
   How long after its timeout the detector comes back, on the hard images at 1280 x 960: the greatest wall time, and CPU
