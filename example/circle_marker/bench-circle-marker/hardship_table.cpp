@@ -27,7 +27,6 @@
 #include <visp3/core/vpThetaUVector.h>
 #include <visp3/io/vpImageIo.h>
 
-
 namespace bench {
 namespace {
 // A detection is of the marker if their centres agree to this share of the major semi-axis.
