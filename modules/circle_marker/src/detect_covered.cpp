@@ -142,7 +142,7 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
   if (!isNoisy && isFaint && measurement.first.noise > mostNoiseAlone * noise) {
     return WholeVerdict::WRONG;
   }
-  if (!isDoubted && !isNoisy && support >= leastSupportOfWhole) {
+  if (!isDoubted && !isNoisy && !isPartMissing(support)) {
     return WholeVerdict::RIGHT;
   }
   const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
@@ -156,7 +156,7 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
     return WholeVerdict::WRONG;
   }
   // Pixels that may be off by as much as such a fit leaves say little against it.
-  const bool isBlind = isNoisy && (isFaint || support < leastSupportOfWhole);
+  const bool isBlind = isNoisy && (isFaint || isPartMissing(support));
   const bool isWhole =
       !isBlind && verdict.explained >= wholeExplained * verdict.all && (!isDoubted || !pixels.hasCoverLikePrint());
   return isWhole ? WholeVerdict::RIGHT : WholeVerdict::COVERED;
@@ -173,11 +173,16 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
   return isLikeliest(pixels, marker.family.getCodeword(marker.code.id), marker.family);
 }
 
-std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, const CameraModel &camera, double support,
+bool isPartMissing(double support)
+{
+  return support < leastSupportOfWhole;
+}
+
+std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, const CameraModel &camera,
                                              const Recognition &marker, const Measurement &measurement,
                                              MeasureMemory &memory)
 {
-  if (support >= leastSupportOfWhole || !marker.family.isCoded() || marker.seen || marker.blurred) {
+  if (!marker.family.isCoded() || marker.seen || marker.blurred) {
     return std::nullopt;
   }
   const MarkerPlane &plane = measurement.first.plane;

@@ -85,19 +85,21 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
                           const Measurement &measurement, MeasureMemory &memory);
 
 /*!
-  A marker that was read as a whole one although a part of its outline is missing, to be measured again without what
-  covers it: its parts that are not seen are those that the measured ring and its codeword do not explain.
+  A marker that was read as a whole one although something covers a part of it, to be measured again without that: its
+  parts that are not seen are those that the measured ring and its codeword do not explain.
   \param I : The image.
   \param camera : Its camera.
-  \param support : Share of the outline that is found.
   \param marker : The marker, as it was read.
   \param measurement : Its measured pose.
   \param memory : Working memory.
   \return Nothing if all of it is seen, as far as can be told.
 */
-std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, const CameraModel &camera, double support,
+std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, const CameraModel &camera,
                                              const Recognition &marker, const Measurement &measurement,
                                              MeasureMemory &memory);
+
+/*! Whether so little of an outline is found that something may cover a part of it. */
+bool isPartMissing(double support);
 
 /*!
   Share of the directions in which the image shows the outer edge of a marker of which a part is covered: just inside

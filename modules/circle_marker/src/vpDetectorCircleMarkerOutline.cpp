@@ -170,15 +170,19 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
   if (verdict == WholeVerdict::WRONG) {
     return std::nullopt;
   }
-  if (verdict == WholeVerdict::RIGHT) {
-    auto part = withoutWhatCovers(visit.I, visit.camera, outline.support, marker, measurement, memory);
+  // What it was read as is right: once more without what covers it, if that explains more of what is left. (It does not
+  // if a shadow lies there, too, which no covered marker is measured with.)
+  const auto leftOut = [&]() -> std::optional<Measurement> {
+    auto part = withoutWhatCovers(visit.I, visit.camera, marker, measurement, memory);
     auto again = part ? measure(visit.I, visit.camera, *part, true, memory, visit.deadline) : std::nullopt;
-    // Of what is left more is explained; not if a shadow lies there, too, which no covered marker is measured with.
     if (!again || again->first.inliers < measurement.first.inliers) {
       return measurement;
     }
     marker = std::move(*part);
     return again;
+  };
+  if (verdict == WholeVerdict::RIGHT) {
+    return isPartMissing(outline.support) ? leftOut() : measurement;
   }
   const auto poses = posesFromOutline(outline.points, visit.camera, measurement.first.plane.radius, bench.meters);
   auto covered = poses ? recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, marker.family, settings.decode,
@@ -191,9 +195,8 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
       return again;
     }
   }
-  return !covered && isRightThoughCovered(visit.I, visit.camera, marker, measurement, memory)
-             ? std::optional<Measurement>(measurement)
-             : std::nullopt;
+  return !covered && isRightThoughCovered(visit.I, visit.camera, marker, measurement, memory) ? leftOut()
+                                                                                              : std::nullopt;
 }
 
 /*! A marker through the room refine; false if it turns out to be none. The place of the result is used again. */
