@@ -49,6 +49,10 @@ constexpr double marginOfCapacity = 0.3;
 
 // Odds of the codeword of a covered marker, ln, against all others and what speaks against it: one in a thousand.
 constexpr double leastOddsOfCovered = 7.;
+// Where a sector has fewer pixels than this most of them lie at its borders, which phase and pose move: more is asked
+// then. (Of 8400 covered golay23 of 12 to 45 pixels in any light one was read as another, with odds of e^8.6.)
+constexpr double fewPixelsOfSector = 16.;
+constexpr double leastOddsOfFewPixels = 10.;
 
 /*! Sums of the soft values with the signs of a word's bits, byte by byte: four look-ups for a word. */
 class Scores
@@ -195,7 +199,8 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, const TrackPix
     return {vpCircleMarkerReject::NO_SECTORS, result};
   }
   const double corrected = static_cast<double>(result.hamming) / code.getCapacity();
-  if (result.hamming > settings.maximumHamming || best.odds < leastOddsOfCovered ||
+  const double leastOdds = evidence.pixelsPerSector() < fewPixelsOfSector ? leastOddsOfFewPixels : leastOddsOfCovered;
+  if (result.hamming > settings.maximumHamming || best.odds < leastOdds ||
       result.margin < settings.minimumMargin + marginOfCapacity * corrected) {
     return {vpCircleMarkerReject::LOW_MARGIN, result};
   }

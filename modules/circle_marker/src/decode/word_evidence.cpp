@@ -257,6 +257,13 @@ void WordEvidence::findCoverBeside(CyclicCode::Word word)
   weigh();
 }
 
+double WordEvidence::pixelsPerSector() const
+{
+  const auto count = std::count_if(m_explained.begin(), m_explained.end(),
+                                   [](const Explained &placed) { return placed.isOnTrack; });
+  return static_cast<double>(count) / m_sectors;
+}
+
 LikeliestWord WordEvidence::likeliest(const CyclicCode &code) const
 {
   const unsigned int n = m_sectors;

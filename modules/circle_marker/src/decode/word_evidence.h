@@ -81,6 +81,9 @@ public:
   */
   void leaveOutUnexplained(CyclicCode::Word word, SeenParts &seen) const;
 
+  /*! Pixels that show one sector above all, of each sector in the mean. */
+  double pixelsPerSector() const;
+
   /*! The codeword for which most speaks; it may be a constant one, which is no marker's. */
   LikeliestWord likeliest(const CyclicCode &code) const;
 
