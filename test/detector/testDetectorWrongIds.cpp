@@ -95,8 +95,8 @@ TEST(DetectorWrongIds, MarkersOfFewPixelsInAnyLight)
   }
 }
 
-// A dark polygon over a third of the code makes it another codeword, with odds of e^2585, and of the pixels that are not
-// covered the fit leaves noise. It was read as that one.
+// A dark polygon over a third of the code makes it another codeword, with odds of e^2585, and of the pixels that are
+// not covered the fit leaves noise. It was read as that one.
 TEST(DetectorWrongIds, ACoveredCodeThatLooksLikeAnother)
 {
   vpDetectorCircleMarker detector(vpCircleMarkerFamily::BCH31R);
@@ -104,4 +104,23 @@ TEST(DetectorWrongIds, ACoveredCodeThatLooksLikeAnother)
   const Outcome outcome = outcomeOf(bench::makeHardScene(hardship, "bch31r", 7100021395), detector);
   EXPECT_EQ(outcome.wrong, 0u);
   EXPECT_EQ(outcome.right, 1u);
+}
+
+// Frames as bench-circle-marker --hardships --small has them: a part of a small code is covered, and it looks like
+// another one more than like its own.
+TEST(DetectorWrongIds, SmallCoveredCodes)
+{
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);
+  struct Frame
+  {
+    const char *cover;
+    double share;
+    std::uint64_t seed;
+  };
+  for (const Frame &frame : {Frame{"polygon", 0.1, 9701029372}, Frame{"half plane", 0.4, 9701029457}}) {
+    const bench::Hardship hardship = {frame.cover, frame.share, true};
+    const Outcome outcome =
+        outcomeOf(bench::makeHardScene(hardship, "golay23", frame.seed, bench::HardMarkers::SMALL), detector);
+    EXPECT_EQ(outcome.wrong, 0u) << frame.cover;
+  }
 }

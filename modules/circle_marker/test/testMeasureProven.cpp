@@ -200,6 +200,27 @@ TEST(MeasureProven, WhatIsUnlikeAPrintIsNone)
   }
 }
 
+// Over-exposed by a third no codewords are compared: the first reading decides, if it is certain of all sectors.
+TEST(MeasureProven, WhereNothingIsComparedACorrectedReadingIsNone)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  for (int i = 0; i < 10; ++i) {
+    const int id = static_cast<int>(random() % family.getNbIds());
+    const MarkerScene scene = smallScene(random, family, id);
+    vpImage<double> exposed = expose(side, side, blur, scene);
+    for (unsigned int k = 0; k < exposed.getSize(); ++k) {
+      exposed.bitmap[k] *= 4. / 3. * 255. / paper;
+    }
+    const vpImage<unsigned char> I = digitise(exposed, noise, random);
+    Recognition marker = recognisedAs(scene, id, 0, true);
+    EXPECT_TRUE(prove(I, scene, marker)) << i;
+    marker = recognisedAs(scene, id, 0, true);
+    marker.code.hamming = 1;
+    EXPECT_FALSE(prove(I, scene, marker)) << i;
+  }
+}
+
 TEST(MeasureProven, NothingAfterTheDeadline)
 {
   Random random = randomOfTest();
