@@ -127,8 +127,8 @@ bool isAtRightPose(const CodeToProve &what, double odds)
     const double factor = isDoubted ? std::min(most.noise, byChance) : most.noise;
     return fit.noise < factor * noise + most.lacking * contrastOf(fit);
   };
-  const auto *most = std::find_if(mostLeftByOdds.begin(), mostLeftByOdds.end(),
-                                  [odds](const MostLeft &some) { return odds < some.odds; });
+  const auto most = std::find_if(mostLeftByOdds.begin(), mostLeftByOdds.end(),
+                                 [odds](const MostLeft &some) { return odds < some.odds; });
   return (most == mostLeftByOdds.end() || leavesUpTo(*most)) && (what.isCertain || leavesUpTo(mostLeftIfUncertain));
 }
 

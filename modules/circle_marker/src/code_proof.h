@@ -36,7 +36,7 @@ struct CodeToProve
   const vpCircleMarkerFamily &family; //!< Of the marker.
   const FittedPose &fit;              //!< What was measured.
   double noise;                       //!< Standard deviation of the image's noise, grey levels.
-  bool isCertain;                     //!< Whether the code was read sector by sector without doubt.
+  bool isCertain;                     //!< Whether the code was read sector by sector without doubt or correction.
   std::size_t pixels;                 //!< Number that the marker was measured on.
 };
 
