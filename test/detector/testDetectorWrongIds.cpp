@@ -107,20 +107,22 @@ TEST(DetectorWrongIds, ACoveredCodeThatLooksLikeAnother)
 }
 
 // Frames as bench-circle-marker --hardships --small has them: a part of a small code is covered, and it looks like
-// another one more than like its own.
-TEST(DetectorWrongIds, SmallCoveredCodes)
+// another one more than like its own; or it is so far out of focus that nothing speaks against a corrected reading.
+TEST(DetectorWrongIds, SmallCodesThatAreCoveredOrOutOfFocus)
 {
   vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);
   struct Frame
   {
-    const char *cover;
-    double share;
+    const char *name;
+    double level;
     std::uint64_t seed;
+    bool covers;
   };
-  for (const Frame &frame : {Frame{"polygon", 0.1, 9701029372}, Frame{"half plane", 0.4, 9701029457}}) {
-    const bench::Hardship hardship = {frame.cover, frame.share, true};
+  for (const Frame &frame : {Frame{"polygon", 0.1, 9701029372, true}, Frame{"half plane", 0.4, 9701029457, true},
+                             Frame{"defocus", 0.15, 9700029110, false}}) {
+    const bench::Hardship hardship = {frame.name, frame.level, frame.covers};
     const Outcome outcome =
         outcomeOf(bench::makeHardScene(hardship, "golay23", frame.seed, bench::HardMarkers::SMALL), detector);
-    EXPECT_EQ(outcome.wrong, 0u) << frame.cover;
+    EXPECT_EQ(outcome.wrong, 0u) << frame.name;
   }
 }

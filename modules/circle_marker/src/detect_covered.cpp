@@ -155,8 +155,9 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
   if (isTooNoisy || isBlurred || verdict.explained < least * verdict.all) {
     return WholeVerdict::WRONG;
   }
-  // Pixels that may be off by as much as such a fit leaves say little against it.
-  const bool isBlind = isNoisy && (isFaint || isPartMissing(support));
+  // Pixels that may be off by as much as such a fit leaves say little against it; and none that shows one sector alone,
+  // nothing against one that was corrected.
+  const bool isBlind = (isNoisy && (isFaint || isPartMissing(support))) || (isDoubted && verdict.all <= 0.);
   const bool isWhole =
       !isBlind && verdict.explained >= wholeExplained * verdict.all && (!isDoubted || !pixels.hasCoverLikePrint());
   return isWhole ? WholeVerdict::RIGHT : WholeVerdict::COVERED;
