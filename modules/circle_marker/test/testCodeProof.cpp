@@ -71,8 +71,10 @@ TEST(CodeProof, TheCodeMustExplainTheTrack)
 {
   const FittedPose fit = fitThatLeaves(2.);
   EXPECT_FALSE(proves(39., fit, 2., true, 1.3));
-  EXPECT_TRUE(proves(41., fit, 2., false, 1.25));
-  EXPECT_FALSE(proves(41., fit, 2., false, 1.35));
+  EXPECT_TRUE(proves(41., fit, 2., false, 1.55)) << "noise alone is left of the whole";
+  EXPECT_FALSE(proves(41., fit, 2., false, 1.65));
+  EXPECT_TRUE(proves(41., fitThatLeaves(2.3), 2., false, 1.25));
+  EXPECT_FALSE(proves(41., fitThatLeaves(2.3), 2., false, 1.35));
   EXPECT_TRUE(proves(41., fit, 2., true, 1.9));
   EXPECT_FALSE(proves(500., fit, 2., true, 2.1));
 }
