@@ -39,8 +39,8 @@ constexpr double leastCorrelationMeasured = 0.9;
 // Below clear odds the next likely code is measured, too, and has to leave more of the image by this factor. Right ones
 // left 0.82 and 0.87 times what the wrong one did, wrong ones mostly 1.2 times what the right one did and more.
 constexpr double clearlyMore = 1.02;
-// Whatever its odds, a code leaves no more than this factor of what another one left that was measured before: one whose
-// track something covers was refused, and another one proven that left 1.4 times as much.
+// Whatever its odds, a code leaves no more than this factor of what another one left that was measured before: one
+// whose track something covers was refused, and another one proven that left 1.4 times as much.
 constexpr double muchMore = 1.2;
 // How often another code is measured: the first was read at a pose that the code did not yet help to measure.
 constexpr int mostRounds = 3;
@@ -137,8 +137,8 @@ Measurement settled(const vpImage<unsigned char> &I, const CameraModel &camera, 
   return *again;
 }
 
-// The marker's measurement, if a code is proven by it, which may be another one than was read. leastLeft: the least that
-// a code left which was measured before, grey levels.
+// The marker's measurement, if a code is proven by it, which may be another one than was read. leastLeft: the least
+// that a code left which was measured before, grey levels.
 std::optional<Measurement> measureWithProof(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
                                             Recognition &marker, double &leastLeft, MeasureMemory &memory,
                                             const Deadline &deadline)

@@ -259,8 +259,8 @@ void WordEvidence::findCoverBeside(CyclicCode::Word word)
 
 double WordEvidence::pixelsPerSector() const
 {
-  const auto count = std::count_if(m_explained.begin(), m_explained.end(),
-                                   [](const Explained &placed) { return placed.isOnTrack; });
+  const auto count =
+      std::count_if(m_explained.begin(), m_explained.end(), [](const Explained &placed) { return placed.isOnTrack; });
   return static_cast<double>(count) / m_sectors;
 }
 

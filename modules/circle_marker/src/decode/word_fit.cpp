@@ -46,8 +46,8 @@ constexpr double likePrint = 0.15;
 // And it is scattered: in so many places around the marker, where one cover is in one or two.
 constexpr int placesOfPrint = 4;
 
-// Runs of directions, most of a sector long, in which the track is not seen though the ring is, to a sector around: what
-// crosses a marker hides both.
+// Runs of directions, most of a sector long, in which the track is not seen though the ring is, to a sector around:
+// what crosses a marker hides both.
 int placesOfTrackAlone(const SeenParts &seen)
 {
   constexpr unsigned int shortest = 3 * coveredSamplesPerSector / 4;

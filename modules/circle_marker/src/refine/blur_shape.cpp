@@ -30,9 +30,10 @@ constexpr double usualNoise = 1.03;
 constexpr double coherentArea = 20.;
 // Where the edges of a code face all ways, over about a quarter of them.
 constexpr double coherentAreaOfCode = 5.;
-// A motion's way is long, but what its shape leaves mostly cancels between its two ends. Of a ring without a code, whose
-// edges face both ends alike, it leaves the rest: over so many pixels, in units of the product of the blur's standard
-// deviations across the motion and what it is longer along it. (Motions of a tenth of the diameter, 40 to 160 pixels.)
+// A motion's way is long, but what its shape leaves mostly cancels between its two ends. Of a ring without a code,
+// whose edges face both ends alike, it leaves the rest: over so many pixels, in units of the product of the blur's
+// standard deviations across the motion and what it is longer along it. (Motions of a tenth of the diameter, 40 to 160
+// pixels.)
 constexpr double coherentAreaOfMotion = 1.5;
 } // namespace
 
