@@ -134,6 +134,32 @@ TEST(DetectorDebug, AMarkerIsACandidateWithoutAReason)
   EXPECT_GT(pieces, 0u) << "sectors of its code";
 }
 
+TEST(DetectorDebug, WhatWasSeenInTheNegativeSaysSo)
+{
+  Random random = randomOfTest();
+  vpImage<unsigned char> I =
+      imageOf(printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(randomPose(random, 100., 0.4)), random);
+  std::transform(I.bitmap, I.bitmap + I.getSize(), I.bitmap,
+                 [](unsigned char grey) { return static_cast<unsigned char>(255 - grey); });
+  for (const vpCircleMarkerPolarity polarity : {vpCircleMarkerPolarity::WHITE_ON_BLACK, vpCircleMarkerPolarity::BOTH}) {
+    const bool both = polarity == vpCircleMarkerPolarity::BOTH;
+    vpDetectorCircleMarker detector;
+    detector.setPolarity(polarity);
+    detector.setDebug(true);
+    ASSERT_TRUE(detector.detect(I));
+    const vpCircleMarkerDebug &debug = detector.getDebug();
+    ASSERT_EQ(debug.scales.size(), both ? 6u : 3u);
+    EXPECT_EQ(debug.scales.front().isInverse, !both);
+    EXPECT_TRUE(debug.scales.back().isInverse);
+    EXPECT_FALSE(debug.scales.back().chains.empty());
+    unsigned int taken = 0;
+    for (const vpCircleMarkerCandidate &candidate : debug.candidates) {
+      taken += candidate.reason == Reject::NONE && candidate.isInverse ? 1 : 0;
+    }
+    EXPECT_EQ(taken, 1u);
+  }
+}
+
 TEST(DetectorDebug, TheResultIsTheSame)
 {
   Random random = randomOfTest();

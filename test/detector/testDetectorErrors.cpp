@@ -17,6 +17,7 @@
 
 #include "detector_scenes.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 
@@ -56,16 +57,32 @@ template <class Call> int codeOf(const Call &call)
 }
 } // namespace
 
-TEST(DetectorErrors, ImagesTooSmall)
+TEST(DetectorErrors, ImagesTooSmallOrTooLarge)
 {
   vpDetectorCircleMarker detector;
   std::vector<vpHomogeneousMatrix> cMo;
-  for (const auto &[rows, columns] :
-       {std::pair(0u, 0u), std::pair(1u, 1u), std::pair(15u, 16u), std::pair(16u, 15u), std::pair(1000u, 3u)}) {
+  for (const auto &[rows, columns] : {std::pair(0u, 0u), std::pair(1u, 1u), std::pair(15u, 16u), std::pair(16u, 15u),
+                                      std::pair(1000u, 3u), std::pair(20u, 32768u), std::pair(32768u, 20u)}) {
     const vpImage<unsigned char> I(rows, columns);
     EXPECT_EQ(codeOf([&] { detector.detect(I); }), vpException::dimensionError) << rows << " x " << columns;
     EXPECT_EQ(codeOf([&] { detector.detect(I, size, straightCamera(), cMo); }), vpException::dimensionError);
   }
+}
+
+TEST(DetectorErrors, LongImages)
+{
+  // Edge pixels are kept as numbers of 16 bits.
+  Random random = randomOfTest();
+  const vpImage<unsigned char> marker =
+      imageOf(printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(randomPose(random, 100., 0.4, 320., 240.)), random);
+  vpImage<unsigned char> I(height, 32767, 100);
+  for (unsigned int v = 0; v < height; ++v) {
+    std::copy(marker[v], marker[v] + width, I[v] + I.getWidth() - width);
+  }
+  vpDetectorCircleMarker detector;
+  ASSERT_TRUE(detector.detect(I));
+  EXPECT_EQ(detector.getMessage(0), "golay23 id: 5");
+  EXPECT_NEAR(detector.getCenter(0).get_u(), I.getWidth() - width + 320., 1.);
 }
 
 TEST(DetectorErrors, SizesMustBePositive)

@@ -212,6 +212,29 @@ TEST(DetectorTracking, MarkersThatLeaveTheImageAndGrow)
   }
 }
 
+TEST(DetectorTracking, ASearchWithoutTimeForAllDoesNotCount)
+{
+  // Whatever the timeout leaves of the first search, from nothing to all of it: two images later all are there.
+  Random random = randomOfTest();
+  std::vector<Flight> flights;
+  for (int k = 0; k < 24; ++k) {
+    const Eigen::Vector3d center(-0.8 + 0.32 * (k % 6), -0.45 + 0.3 * (k / 6), 2.2);
+    flights.push_back({vpCircleMarkerFamily::GOLAY23, k, center, {0., 0., 0.}});
+  }
+  const vpImage<unsigned char> I = imageAt(flights, 0, 7, random);
+  std::vector<vpHomogeneousMatrix> poses;
+  for (const unsigned int milliseconds : {1U, 2U, 4U, 8U, 16U}) {
+    vpDetectorCircleMarker detector;
+    detector.setTracking(true, 1000);
+    detector.setTimeout(milliseconds);
+    detector.detect(I, size, straightCamera(), poses);
+    detector.setTimeout(0);
+    detector.detect(I, size, straightCamera(), poses);
+    detector.detect(I, size, straightCamera(), poses);
+    EXPECT_EQ(detector.getNbObjects(), flights.size()) << milliseconds << " ms";
+  }
+}
+
 TEST(DetectorTracking, PosesCanBeHadForAnotherSize)
 {
   Random random = randomOfTest();

@@ -320,6 +320,30 @@ TEST(DetectorProgram, ImagesOfAnotherSizeThanTheCameraAreSaidSo)
   EXPECT_NE(outcome.err.find("640 x 480"), std::string::npos) << outcome.err;
 }
 
+TEST(DetectorProgram, AnImageThatNoCameraIsForIsLeftOut)
+{
+  const fs::path folder = test::emptyFolder();
+  // One name for two sizes: of a third size nobody knows the camera.
+  std::string xml = test::contentOf(data + "/camera.xml");
+  const std::size_t begin = xml.find("<camera>");
+  const std::size_t end = xml.rfind("</camera>") + 9;
+  ASSERT_NE(begin, std::string::npos);
+  std::string other = xml.substr(begin, end - begin);
+  other.replace(other.find("1280"), 4, "640");
+  other.replace(other.find("960"), 3, "480");
+  xml.insert(end, "\n" + other);
+  std::ofstream(folder / "cameras.xml") << xml;
+  cv::imwrite((folder / "small.png").string(), cv::Mat(240, 320, CV_8U, cv::Scalar(100)));
+  std::ofstream(folder / "list.txt") << referencePicture << "\nsmall.png\n" << referencePicture << "\n";
+  const test::Outcome outcome = test::run(DETECTOR_PROGRAM,
+                                          {"--input", "@list.txt", "--intrinsic", "cameras.xml", "--camera-name",
+                                           "Camera", "--size", "0.18", "--display-off", "--json", "out.jsonl"},
+                                          folder);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("small.png\" is left out"), std::string::npos) << outcome.err;
+  EXPECT_EQ(linesOf(test::contentOf(folder / "out.jsonl")).size(), 2U);
+}
+
 TEST(DetectorProgram, SizesOfSingleMarkers)
 {
   const test::Outcome outcome =
@@ -359,7 +383,9 @@ TEST(DetectorProgram, WrongArgumentsEndWithTwo)
       reference(referencePicture, {"--family", "nosuchfamily"}),
       reference(referencePicture, {"--sizes", "5=0.1"}),
       reference(referencePicture, {"--ratio", "0.7", "--family", "golay23"}),
+      reference(""),
       reference("img%d.png", {"--first", "5", "--last", "4"}),
+      reference("@list.txt", {"--first", "5"}),
       reference("img%d.png", {"--overlay", "one-name.png"}),
       {"--input", referencePicture, "--intrinsic", data + "/camera.xml", "--camera-name", "Camera", "--size", "0"},
   };

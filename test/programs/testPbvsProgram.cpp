@@ -135,7 +135,8 @@ TEST(PbvsProgram, WrongArgumentsEndWithTwo)
 {
   const fs::path folder = test::emptyFolder();
   const std::vector<std::vector<std::string>> cases = {
-      {"--detector", "square"}, {"--distance", "-1"}, {"--runs", "0"}, {"--nosuchoption"}, {"--output", "/dev/null/x"}};
+      {"--detector", "square"}, {"--distance", "-1"}, {"--distance", "nan"},      {"--seed", "-1"},
+      {"--runs", "0"},          {"--nosuchoption"},   {"--output", "/dev/null/x"}};
   for (const std::vector<std::string> &arguments : cases) {
     const test::Outcome outcome = test::run(PBVS_PROGRAM, arguments, folder);
     EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(arguments);

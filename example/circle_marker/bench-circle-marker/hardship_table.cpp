@@ -94,7 +94,6 @@ struct Line
   unsigned int found = 0;
   unsigned int wrong = 0;        // read as another marker, or where there is none
   unsigned int misjudged = 0;    // visible share off by more than the slack
-  double covered = 0.;           // sums over frames and over what was found
   std::vector<double> distances; // squared Mahalanobis distances, by their degrees of freedom
 
   void add(const Line &other)
@@ -103,7 +102,6 @@ struct Line
     found += other.found;
     wrong += other.wrong;
     misjudged += other.misjudged;
-    covered += other.covered;
     distances.insert(distances.end(), other.distances.begin(), other.distances.end());
   }
 };
@@ -129,7 +127,6 @@ bool judge(const Scene &scene, const vpDetectorCircleMarker &detector, Line &lin
   const vpMarkerTruth &truth = scene.truth.front();
   bool isFound = false;
   ++line.frames;
-  line.covered += truth.coveredArea;
   for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
     if (detection.id != truth.id ||
         vpImagePoint::distance(detection.center, truth.center) > near * truth.ellipse->semiAxisA) {

@@ -18,7 +18,7 @@
 /*!
   \example bench-circle-marker/main.cpp
   Benchmarks of the whole detection and of its rooms, with AprilTag and OpenCV's adaptive threshold in the same run;
-  tables of the ratios, of the reach and of phantoms.
+  tables of the ratios, of the reach, of hardships, of phantoms, of photographs and of timeouts.
 */
 
 #include <iostream>
@@ -30,6 +30,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "common/arguments.h"
 #include "register.h"
 #include "tables.h"
 
@@ -63,7 +64,9 @@ int main(int argc, char *argv[])
   bool areSmall = false;
   app.add_flag("--small", areSmall, "With --hardships markers of 12 to 45 pixels, in any light, not of 40 to 160");
   std::uint64_t seed = 1;
-  app.add_option("--seed", seed, "Seed of the frames for --reach, --hardships and --phantoms")->capture_default_str();
+  app.add_option("--seed", seed, "Seed of the frames for --reach, --hardships and --phantoms")
+      ->check(common::wholeNumber())
+      ->capture_default_str();
   std::string only;
   app.add_option("--only", only, "With --hardships the kind of this name, with --phantoms those with this in it");
   std::string family = "golay23";

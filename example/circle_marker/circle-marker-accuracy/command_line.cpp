@@ -52,7 +52,10 @@ Request parseCommandLine(int argc, const char *const argv[])
       ->check(CLI::Range(1u, 1000000u))
       ->excludes(from)
       ->capture_default_str();
-  app.add_option("--seed", settings.seed, "Seed of poses, ids, light and noise")->excludes(from)->capture_default_str();
+  app.add_option("--seed", settings.seed, "Seed of poses, ids, light and noise")
+      ->check(common::wholeNumber())
+      ->excludes(from)
+      ->capture_default_str();
   app.add_option("--jobs", settings.jobs, "Threads; the results do not depend on it, but for the CPU times")
       ->check(CLI::Range(1u, 256u))
       ->capture_default_str();

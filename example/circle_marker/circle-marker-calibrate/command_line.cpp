@@ -25,7 +25,9 @@
 
 namespace calibrate {
 namespace {
+using common::numberIn;
 using common::UsageError;
+using common::wholeNumber;
 
 /*! The arguments as they were given. */
 struct Raw
@@ -85,7 +87,7 @@ void addPictures(CLI::App &app, Order &order, Raw &raw, tutorial::CameraOptions 
       ->capture_default_str()
       ->group(group);
   app.add_option("--timeout", pictures.timeout, "Seconds without an image after which the camera is given up")
-      ->check(CLI::Range(0.1, 3600.))
+      ->check(numberIn(0.1, 3600.))
       ->capture_default_str()
       ->group(group);
   app.add_flag("--display-off", raw.displayOff, "Open no window, for use over SSH; Ctrl-C ends with the views so far")
@@ -102,7 +104,10 @@ void addPictures(CLI::App &app, Order &order, Raw &raw, tutorial::CameraOptions 
       ->check(common::numberIn(0., 70.))
       ->capture_default_str()
       ->group(group);
-  app.add_option("--seed", order.simulation.seed, "Of the poses and the noise")->capture_default_str()->group(group);
+  app.add_option("--seed", order.simulation.seed, "Of the poses and the noise")
+      ->check(wholeNumber())
+      ->capture_default_str()
+      ->group(group);
   app.add_option("--save-views", order.savedViews,
                  "Save the pictures that are used, live or simulated, as views/img%04d.png")
       ->group(group);

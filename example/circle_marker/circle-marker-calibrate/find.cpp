@@ -158,7 +158,6 @@ Search Finder::findGrid(const vpImage<unsigned char> &I, const Lens &lens)
   vpImage<unsigned char> inverted(I.getHeight(), I.getWidth());
   std::transform(I.bitmap, I.bitmap + I.getSize(), inverted.bitmap,
                  [](unsigned char grey) { return static_cast<unsigned char>(255 - grey); });
-  m_usedBlobs = false;
   // Black discs on white; then white ones on black.
   for (const vpImage<unsigned char> *image : {&I, const_cast<const vpImage<unsigned char> *>(&inverted)}) {
     m_detector.detect(*image, diameter, lens.parameters(I.getWidth(), I.getHeight()), cMo);
@@ -175,7 +174,6 @@ Search Finder::findGrid(const vpImage<unsigned char> &I, const Lens &lens)
       }
     }
   }
-  m_usedBlobs = true;
   const auto points = blobCenters(m_target, I);
   if (points.size() != m_target.points.size()) {
     return missing("no grid of " + std::to_string(m_target.columns) + " x " + std::to_string(m_target.rows) +

@@ -52,9 +52,6 @@ public:
   */
   Search find(const vpImage<unsigned char> &I, const std::string &name, const std::optional<Lens> &lens);
 
-  /*! Whether the last grid was measured by OpenCV's blobs. */
-  bool usedBlobs() const { return m_usedBlobs; }
-
 private:
   Search findChessboard(const vpImage<unsigned char> &I) const;
   Search findGrid(const vpImage<unsigned char> &I, const Lens &lens);
@@ -62,7 +59,6 @@ private:
 
   Target m_target;                   //!< What is looked for.
   vpDetectorCircleMarker m_detector; //!< Of its circles.
-  bool m_usedBlobs = false;          //!< Whether OpenCV's blobs were taken.
 };
 
 /*! \return Centres of a grid's discs as OpenCV's blob detector has them, in the target's order; as ViSP's own

@@ -29,7 +29,9 @@ void addOptions(CLI::App &app, Settings &settings)
   app.add_option("--frames", settings.frames, "Frames of each of the five cells")
       ->check(CLI::Range(1u, 1000000u))
       ->capture_default_str();
-  app.add_option("--seed", settings.seed, "Seed of poses, ids and noise")->capture_default_str();
+  app.add_option("--seed", settings.seed, "Seed of poses, ids and noise")
+      ->check(common::wholeNumber())
+      ->capture_default_str();
   app.add_option("--threads", settings.threads, "Frames made at once; the CPU times are good with 1 only")
       ->check(CLI::Range(1u, 256u))
       ->capture_default_str();

@@ -56,7 +56,7 @@ Summary summaryOf(const std::vector<Sample> &samples, Solutions solutions)
 {
   Summary summary;
   summary.frames = samples.size();
-  std::vector<double> positions, angles, times, distances;
+  std::vector<double> positions, angles, times;
   std::array<std::vector<double>, 3> offsets;
   std::size_t outlines = 0;
   std::size_t markers = 0;
@@ -69,8 +69,6 @@ Summary summaryOf(const std::vector<Sample> &samples, Solutions solutions)
     outlines += sample.outlines;
     markers += sample.markers;
     times.push_back(sample.cpuTime);
-    distances.push_back(sample.distance());
-    summary.mostAngle = std::max(summary.mostAngle, sample.angle);
     for (const Deviation &deviation : deviationsOf(sample, solutions)) {
       positions.push_back(deviation.position());
       angles.push_back(deviation.normal);
@@ -88,9 +86,6 @@ Summary summaryOf(const std::vector<Sample> &samples, Solutions solutions)
     summary.offset[axis] = statisticsOf(offsets[axis]);
   }
   summary.cpuTime = statisticsOf(times);
-  const Statistics distance = statisticsOf(distances);
-  summary.leastDistance = distance.least;
-  summary.mostDistance = distance.most;
   return summary;
 }
 

@@ -51,19 +51,17 @@ constexpr View bound = {Method::Bound, Solutions::First, "bound (Cramér-Rao)"};
 /*! What a method did in a set of frames. */
 struct Summary
 {
-  std::size_t frames = 0;                       //!< How many.
-  std::size_t found = 0;                        //!< With the marker found.
-  std::size_t falseMarkers = 0;                 //!< Reported, but not there.
-  std::size_t mirrored = 0;                     //!< Found with the mirrored normal first.
-  std::size_t wrong = 0;                        //!< Found with a pose that would mislead, see isWrong().
-  double outlines = 0.;                         //!< Mean of a frame.
-  double markers = 0.;                          //!< Mean of a frame.
-  Statistics position;                          //!< |C - eC| of the estimates that count, mm.
-  Statistics angle;                             //!< Between N and eN, of the same, degrees.
-  std::array<Statistics, 3> offset;             //!< C - eC in x, y, z, of the same, mm: the thesis's sign.
-  Statistics cpuTime;                           //!< Of a frame, ms.
-  double leastDistance = 0., mostDistance = 0.; //!< |C| of the frames, metres.
-  double mostAngle = 0.;                        //!< Of the frames, degrees.
+  std::size_t frames = 0;           //!< How many.
+  std::size_t found = 0;            //!< With the marker found.
+  std::size_t falseMarkers = 0;     //!< Reported, but not there.
+  std::size_t mirrored = 0;         //!< Found with the mirrored normal first.
+  std::size_t wrong = 0;            //!< Found with a pose that would mislead, see isWrong().
+  double outlines = 0.;             //!< Mean of a frame.
+  double markers = 0.;              //!< Mean of a frame.
+  Statistics position;              //!< |C - eC| of the estimates that count, mm.
+  Statistics angle;                 //!< Between N and eN, of the same, degrees.
+  std::array<Statistics, 3> offset; //!< C - eC in x, y, z, of the same, mm: the thesis's sign.
+  Statistics cpuTime;               //!< Of a frame, ms.
 };
 
 /*!

@@ -59,7 +59,7 @@ tutorial::RequestFor<Settings> parseCommandLine(int argc, const char *const argv
   app.add_option("--turn-error", settings.turnError, "Constant error of the wheels' turn, share")
       ->check(common::numberIn(-0.2, 0.2))
       ->capture_default_str();
-  app.add_option("--seed", settings.seed, "Of all noise")->capture_default_str();
+  app.add_option("--seed", settings.seed, "Of all noise")->check(common::wholeNumber())->capture_default_str();
   app.footer(
       "Payloads: {\"task\": \"go\", \"to\": [x, z], \"look_deg\": d}, metres on the floor, degrees from z toward "
       "x; {\"task\": \"stop\"}.\nThe robot starts at x = 0, z = 3.8 and looks along z. Ends with 0 only if all "

@@ -25,6 +25,7 @@
 namespace simulator {
 namespace {
 using common::UsageError;
+using common::wholeNumber;
 
 void readCamera(const std::string &file, const std::string &name, Order &order)
 {
@@ -76,7 +77,7 @@ Request parseCommandLine(int argc, const char *const argv[])
   app.add_option("--distance", order.distance, "Distance from the marker at which the servo ends, metres")
       ->check(common::numberIn(0.2, 10.))
       ->capture_default_str();
-  app.add_option("--seed", order.seed, "Of the noise")->capture_default_str();
+  app.add_option("--seed", order.seed, "Of the noise")->check(wholeNumber())->capture_default_str();
   app.add_flag("--display-off", displayOff, "Open no window, for use over SSH");
   app.footer(footer());
   if (!common::parse(app, argc, argv)) {

@@ -24,11 +24,10 @@
 #include "circle_marker/common/parse.h"
 
 namespace common {
+using tutorial::numberIn;
 using tutorial::parse;
 using tutorial::UsageError;
-
-/*! A number in a range; CLI11's own check lets what is no number (nan) pass. */
-CLI::Validator numberIn(double least, double most);
+using tutorial::wholeNumber;
 } // namespace common
 
 #endif

@@ -97,6 +97,66 @@ MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const Camer
   }
   return ring;
 }
+
+// What makes a whole marker's reading or fit doubtful.
+struct Doubts
+{
+  bool isCorrected = false;   // sectors were: they show something else than the codeword
+  bool isNoisy = false;       // the fit leaves far more than noise
+  bool isFaint = false;       // it correlates by less than a print does but for noise
+  bool isPartMissing = false; // of the outline
+  bool isShaded = false;      // the edge of a shadow is not modelled well enough to say much by what is left
+  double contrast = 0.;       // grey levels
+};
+
+Doubts doubtsOf(double noise, double support, const Recognition &marker, const FittedPose &fit)
+{
+  Doubts doubts;
+  doubts.contrast = fit.photometry.contrast() * fit.photometry.light;
+  doubts.isCorrected = marker.code.hamming > 0;
+  doubts.isNoisy = fit.noise > mostNoiseOfWhole * noise + mostLackingOfWhole * doubts.contrast;
+  doubts.isFaint = fit.correlation < correlationOfPrint;
+  doubts.isPartMissing = isPartMissing(support);
+  doubts.isShaded = fit.photometry.shadow.has_value();
+  return doubts;
+}
+
+// What the fit alone says; nothing if the pixels have to be asked.
+std::optional<WholeVerdict> verdictByFit(const Doubts &doubts, double noise, const FittedPose &fit)
+{
+  if (doubts.isShaded && !doubts.isCorrected) {
+    return WholeVerdict::RIGHT;
+  }
+  // A faint print leaves noise alone. One that leaves far more may be covered, which its pixels tell.
+  if (!doubts.isNoisy && doubts.isFaint && fit.noise > mostNoiseAlone * noise) {
+    return WholeVerdict::WRONG;
+  }
+  if (!doubts.isCorrected && !doubts.isNoisy && !doubts.isPartMissing) {
+    return WholeVerdict::RIGHT;
+  }
+  return std::nullopt;
+}
+
+// What the pixels of the track, at the measured pose, say of the codeword.
+WholeVerdict verdictByPixels(const Doubts &doubts, double noise, const FittedPose &fit, const TrackPixels &pixels,
+                             CyclicCode::Word word)
+{
+  const CodewordVerdict verdict = pixels.judge(word);
+  const bool noneShowsOne = verdict.all <= 0.; // sector alone
+  const bool isTooNoisy = doubts.isCorrected && !doubts.isShaded && fit.noise > mostNoiseOfCorrected * doubts.contrast;
+  const bool isBlurred = noneShowsOne && fit.noise > std::hypot(noise, mostLackingOfBlurred * doubts.contrast);
+  const double least = doubts.isCorrected ? leastExplained : leastExplainedInAnyLight;
+  if (isTooNoisy || isBlurred || verdict.explained < least * verdict.all) {
+    return WholeVerdict::WRONG;
+  }
+  // Pixels that may be off by as much as such a fit leaves say little against it; and none that shows one sector alone,
+  // nothing against one that was corrected.
+  const bool isBlind =
+      (doubts.isNoisy && (doubts.isFaint || doubts.isPartMissing)) || (doubts.isCorrected && noneShowsOne);
+  const bool isWhole = !isBlind && verdict.explained >= wholeExplained * verdict.all &&
+                       (!doubts.isCorrected || !pixels.hasCoverLikePrint());
+  return isWhole ? WholeVerdict::RIGHT : WholeVerdict::COVERED;
+}
 } // namespace
 
 std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
@@ -131,36 +191,14 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
   if (!marker.family.isCoded() || marker.seen || marker.blurred) {
     return WholeVerdict::RIGHT;
   }
-  const Photometry &photometry = measurement.first.photometry;
-  const double contrast = photometry.contrast() * photometry.light;
-  const bool isDoubted = marker.code.hamming > 0;
-  if (photometry.shadow && !isDoubted) { // the edge of a shadow is not modelled well enough
-    return WholeVerdict::RIGHT;
-  }
-  const bool isNoisy = measurement.first.noise > mostNoiseOfWhole * noise + mostLackingOfWhole * contrast;
-  const bool isFaint = measurement.first.correlation < correlationOfPrint;
-  if (!isNoisy && isFaint && measurement.first.noise > mostNoiseAlone * noise) {
-    return WholeVerdict::WRONG;
-  }
-  if (!isDoubted && !isNoisy && !isPartMissing(support)) {
-    return WholeVerdict::RIGHT;
+  const Doubts doubts = doubtsOf(noise, support, marker, measurement.first);
+  if (const auto verdict = verdictByFit(doubts, noise, measurement.first)) {
+    return *verdict;
   }
   const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
-  const bool isTooNoisy = isDoubted && !photometry.shadow && ring.noise > mostNoiseOfCorrected * contrast;
   TrackPixels pixels(I, camera, ring, marker.family, memory.track);
   pixels.turnTo(0.);
-  const CodewordVerdict verdict = pixels.judge(marker.family.getCodeword(marker.code.id));
-  const bool isBlurred = verdict.all <= 0. && ring.noise > std::hypot(noise, mostLackingOfBlurred * contrast);
-  const double least = isDoubted ? leastExplained : leastExplainedInAnyLight;
-  if (isTooNoisy || isBlurred || verdict.explained < least * verdict.all) {
-    return WholeVerdict::WRONG;
-  }
-  // Pixels that may be off by as much as such a fit leaves say little against it; and none that shows one sector alone,
-  // nothing against one that was corrected.
-  const bool isBlind = (isNoisy && (isFaint || isPartMissing(support))) || (isDoubted && verdict.all <= 0.);
-  const bool isWhole =
-      !isBlind && verdict.explained >= wholeExplained * verdict.all && (!isDoubted || !pixels.hasCoverLikePrint());
-  return isWhole ? WholeVerdict::RIGHT : WholeVerdict::COVERED;
+  return verdictByPixels(doubts, noise, measurement.first, pixels, marker.family.getCodeword(marker.code.id));
 }
 
 bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,

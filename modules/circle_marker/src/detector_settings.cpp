@@ -29,6 +29,7 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 #endif
@@ -68,26 +69,63 @@ unsigned int readCount(const std::string &key, const Json &value, unsigned int l
   return value.get<unsigned int>();
 }
 
-// A family is its name, or for a ring of its own ratio {"name": "ring", "ratio": 0.65}.
+// A layout's radii by their names in files.
+std::array<std::pair<const char *, double *>, 4> radiiOf(vpCircleMarkerLayout &layout)
+{
+  return {{{"ringInner", &layout.ringInner},
+           {"codeOuter", &layout.codeOuter},
+           {"codeInner", &layout.codeInner},
+           {"quietZone", &layout.quietZone}}};
+}
+
+bool isSame(vpCircleMarkerLayout one, vpCircleMarkerLayout other)
+{
+  const auto radii = radiiOf(one);
+  const auto others = radiiOf(other);
+  return std::equal(radii.begin(), radii.end(), others.begin(),
+                    [](const auto &p, const auto &q) { return *p.second == *q.second; });
+}
+
+// A family is its name; for a ring of its own ratio {"name": "ring", "ratio": 0.65}; with other radii {"name":
+// "golay23", "layout": {"ringInner": 0.75, ...}}, all four of them.
 vpCircleMarkerFamily readFamily(const Json &value)
 {
   if (!value.is_object()) {
     return vpCircleMarkerFamily::fromName(value.get<std::string>());
   }
-  if (value.size() != 2 || value.at("name") != "ring") {
-    refuse("families", "names, or {\"name\": \"ring\", \"ratio\": ...}");
+  const bool isRing = value.size() == 2 && value.contains("ratio") && value.at("name") == "ring";
+  const bool hasLayout = value.size() == 2 && value.contains("layout") && value.at("layout").size() == 4;
+  if (!isRing && !hasLayout) {
+    refuse("families",
+           "names, or {\"name\": \"ring\", \"ratio\": ...}, or {\"name\": ..., \"layout\": {\"ringInner\": ..., "
+           "\"codeOuter\": ..., \"codeInner\": ..., \"quietZone\": ...}}");
   }
-  return vpCircleMarkerFamily::ring(value.at("ratio").get<double>());
+  if (isRing) {
+    return vpCircleMarkerFamily::ring(value.at("ratio").get<double>());
+  }
+  const vpCircleMarkerFamily family = vpCircleMarkerFamily::fromName(value.at("name").get<std::string>());
+  vpCircleMarkerLayout layout;
+  for (const auto &[name, radius] : radiiOf(layout)) {
+    *radius = value.at("layout").at(name).get<double>();
+  }
+  return family.withLayout(layout);
 }
 
 Json written(const vpCircleMarkerFamily &family)
 {
-  const double ratio = family.getLayout().ringInner;
-  if (family.getType() != vpCircleMarkerFamily::RING ||
-      ratio == vpCircleMarkerFamily(vpCircleMarkerFamily::RING).getLayout().ringInner) {
+  vpCircleMarkerLayout layout = family.getLayout();
+  if (isSame(layout, vpCircleMarkerFamily(family.getType()).getLayout())) {
     return family.getName();
   }
-  return Json{{"name", family.getName()}, {"ratio", ratio}};
+  if (family.getType() == vpCircleMarkerFamily::RING &&
+      isSame(layout, vpCircleMarkerFamily::ring(layout.ringInner).getLayout())) {
+    return Json{{"name", family.getName()}, {"ratio", layout.ringInner}};
+  }
+  Json radii = Json::object();
+  for (const auto &[name, radius] : radiiOf(layout)) {
+    radii[name] = *radius;
+  }
+  return Json{{"name", family.getName()}, {"layout", radii}};
 }
 
 std::vector<vpCircleMarkerFamily> readFamilies(const std::string &key, const Json &value)

@@ -137,66 +137,85 @@ Measurement settled(const vpImage<unsigned char> &I, const CameraModel &camera, 
   return *again;
 }
 
-// The marker's measurement, if a code is proven by it, which may be another one than was read. leastLeft: the least
-// that a code left which was measured before, grey levels.
-std::optional<Measurement> measureWithProof(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
-                                            Recognition &marker, double &leastLeft, MeasureMemory &memory,
-                                            const Deadline &deadline)
+// One marker on its way to a proven code: measured with one code after another until one is proven, or none.
+class Proof
 {
-  for (int round = 0; round < mostRounds; ++round) {
-    const ImageFrame frame = frameOf(marker.poses[0], camera);
-    auto measurement = measure(I, camera, marker, true, memory, deadline);
-    if (!measurement) {
-      return std::nullopt;
-    }
-    // A sector that had to be corrected shows something else than the code: the reading is certain of the others only,
-    // and by those a marker of which a part is covered may be another one.
-    const bool isClear = marker.isCertain && marker.code.hamming == 0;
-    if (!isClear && measurement->first.correlation < leastCorrelationMeasured) {
-      return std::nullopt;
-    }
-    if (!isClear && measurement->first.noise > muchMore * leastLeft) {
-      return std::nullopt;
-    }
-    leastLeft = std::min(leastLeft, measurement->first.noise);
-    const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family, memory.code, deadline);
-    if (deadline.hasPassed()) {
-      return std::nullopt;
-    }
-    if (!code) { // the first reading decides, if what was read is there at all
-      const bool isThere = isClear && leavesWhatPrintsLeave(measurement->first, noise);
-      return isThere ? measurement : std::nullopt;
-    }
-    if (code->best.id < 0) {
-      return std::nullopt;
-    }
-    const bool isSame =
-        code->best.id == marker.code.id && std::abs(code->best.spin) < M_PI / marker.family.getNbSectors();
-    if (isSame) {
-      if (!isProven(*code, {marker.family, measurement->first, noise, isClear, memory.pixels.size()})) {
+public:
+  Proof(const vpImage<unsigned char> &I, const CameraModel &camera, double noise, MeasureMemory &memory,
+        const Deadline &deadline)
+      : m_image(I), m_camera(camera), m_noise(noise), m_memory(memory), m_deadline(deadline)
+  {
+  }
+
+  // The marker's measurement, if a code is proven by it, which may be another one than was read.
+  std::optional<Measurement> measure(Recognition &marker)
+  {
+    for (int round = 0; round < mostRounds; ++round) {
+      const ImageFrame frame = frameOf(marker.poses[0], m_camera);
+      const auto measurement = circle_marker::measure(m_image, m_camera, marker, true, m_memory, m_deadline);
+      if (!measurement || !isWorthComparing(*measurement, isClear(marker))) {
         return std::nullopt;
       }
-      if (isClear || code->odds > clearOdds) {
-        return settled(I, camera, *measurement, marker, memory, deadline);
-      }
-      auto other = challenger(I, camera, *code, *measurement, marker, memory, deadline);
-      if (deadline.hasPassed()) {
+      m_leastLeft = std::min(m_leastLeft, measurement->first.noise);
+      const auto code =
+          mostLikelyCode(m_image, m_camera, measurement->first, frame, marker.family, m_memory.code, m_deadline);
+      if (m_deadline.hasPassed()) {
         return std::nullopt;
+      }
+      if (!code) { // the first reading decides, if what was read is there at all
+        const bool isThere = isClear(marker) && leavesWhatPrintsLeave(measurement->first, m_noise);
+        return isThere ? measurement : std::nullopt;
+      }
+      if (!isSame(code->best, marker)) {
+        if (code->best.id < 0 || !isWorthMeasuring(*code)) {
+          return std::nullopt;
+        }
+        setCode(code->best, *measurement, marker);
+        marker.isCertain = false;
+        continue;
+      }
+      if (!isProven(*code, {marker.family, measurement->first, m_noise, isClear(marker), m_memory.pixels.size()})) {
+        return std::nullopt;
+      }
+      std::optional<Recognition> other;
+      if (!isClear(marker) && code->odds <= clearOdds) {
+        other = challenger(m_image, m_camera, *code, *measurement, marker, m_memory, m_deadline);
+        if (m_deadline.hasPassed()) {
+          return std::nullopt;
+        }
       }
       if (!other) {
-        return settled(I, camera, *measurement, marker, memory, deadline);
+        return settled(m_image, m_camera, *measurement, marker, m_memory, m_deadline);
       }
       marker = std::move(*other);
-      continue;
     }
-    if (!isWorthMeasuring(*code)) {
-      return std::nullopt;
-    }
-    setCode(code->best, *measurement, marker);
-    marker.isCertain = false;
+    return std::nullopt;
   }
-  return std::nullopt;
-}
+
+private:
+  // A sector that had to be corrected shows something else than the code: the reading is certain of the others only,
+  // and by those a marker of which a part is covered may be another one.
+  static bool isClear(const Recognition &marker) { return marker.isCertain && marker.code.hamming == 0; }
+
+  static bool isSame(const PlacedCode &code, const Recognition &marker)
+  {
+    return code.id == marker.code.id && std::abs(code.spin) < M_PI / marker.family.getNbSectors();
+  }
+
+  // Whether a fit that may be one to a wrong code, or to no marker, explains enough.
+  bool isWorthComparing(const Measurement &measurement, bool isClear) const
+  {
+    const bool isLike = measurement.first.correlation >= leastCorrelationMeasured;
+    return isClear || (isLike && measurement.first.noise <= muchMore * m_leastLeft);
+  }
+
+  const vpImage<unsigned char> &m_image;
+  const CameraModel &m_camera;
+  const double m_noise; // of the image, grey levels
+  MeasureMemory &m_memory;
+  const Deadline &m_deadline;
+  double m_leastLeft = HUGE_VAL; // the least that a code left so far, grey levels
+};
 } // namespace
 
 bool wantsProof(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
@@ -212,20 +231,20 @@ bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily
 std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
                                          Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
 {
-  double leastLeft = HUGE_VAL;
+  Proof proof(I, camera, noise, memory, deadline);
   if (marker.isCertain) {
-    return measureWithProof(I, camera, noise, marker, leastLeft, memory, deadline);
+    return proof.measure(marker);
   }
   const Recognition asRead = marker;
   marker.darkness.reset();
   std::optional<Measurement> measurement;
   if (isLikeAtStart(I, camera, marker, memory, deadline)) {
-    measurement = measureWithProof(I, camera, noise, marker, leastLeft, memory, deadline);
+    measurement = proof.measure(marker);
   }
   if (!measurement && asRead.darkness && isLikeAtStart(I, camera, asRead, memory, deadline)) {
     marker = asRead;
     if (setLikeliest(I, camera, marker, memory, deadline)) {
-      measurement = measureWithProof(I, camera, noise, marker, leastLeft, memory, deadline);
+      measurement = proof.measure(marker);
     }
   }
   return measurement;

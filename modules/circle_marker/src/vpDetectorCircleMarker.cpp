@@ -34,11 +34,13 @@ namespace {
 constexpr double unitSize = 1.;
 void checkImageSize(const vpImage<unsigned char> &I)
 {
-  constexpr unsigned int leastSide = 16; // pixels
-  if (I.getWidth() < leastSide || I.getHeight() < leastSide) {
+  constexpr unsigned int leastSide = 16;   // pixels
+  constexpr unsigned int mostSide = 32767; // places of edge pixels are numbers of 16 bits
+  const auto [shorter, longer] = std::minmax({I.getWidth(), I.getHeight()});
+  if (shorter < leastSide || longer > mostSide) {
     throw vpException(vpException::dimensionError,
-                      "vpDetectorCircleMarker: the image is %u x %u pixels; at least %u x %u are needed", I.getWidth(),
-                      I.getHeight(), leastSide, leastSide);
+                      "vpDetectorCircleMarker: the image is %u x %u pixels; its sides must have %u to %u", I.getWidth(),
+                      I.getHeight(), leastSide, mostSide);
   }
 }
 
@@ -76,7 +78,7 @@ void vpDetectorCircleMarker::Impl::detectBlack(const vpImage<unsigned char> &I, 
   m_workers.setCount(settings.threads);
   m_benches.resize(m_workers.getCount());
   const CameraModel camera(cam);
-  const Visit visit = {I, size, camera, deadline};
+  const Visit visit = {I, size, camera, deadline, m_outlines.full.gradient.noise};
   if (!searchRegions(visit)) {
     searchWhole(visit);
   }
@@ -128,8 +130,11 @@ void vpDetectorCircleMarker::Impl::searchWhole(const Visit &visit)
   examineAll(visit, outlines);
   if (settings.tracking) {
     keepSeen(outlines);
-    m_tracks.follow(m_seen, static_cast<int>(I.getWidth()), static_cast<int>(I.getHeight()));
-    m_sinceWhole = 0;
+    const bool isCutShort = visit.deadline.hasPassed();
+    m_tracks.follow(m_seen, static_cast<int>(I.getWidth()), static_cast<int>(I.getHeight()), isCutShort);
+    // After a search that was cut short the next image has its regions searched, for which there may be time, and the
+    // one after it is searched whole again.
+    m_sinceWhole = isCutShort ? std::max(settings.fullSearchPeriod, 2U) - 2 : 0;
   }
 }
 
@@ -148,45 +153,62 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
     if (m_workers.getCount() > 1) {
       readTogether(visit, outlines);
     }
-    m_chosen.clear();
-    m_chosenPlaces.reset(static_cast<int>(visit.I.getWidth()), static_cast<int>(visit.I.getHeight()));
-    for (std::size_t i = 0; i < outlines.size(); ++i) {
-      Examination &examination = m_examinations[i];
-      const bool isWaiting = !examination.isOver;
-      if (isWaiting && m_chosenPlaces.hold(outlines[i].ellipse)) {
-        continue;
-      }
-      if (isWaiting && !examination.isRead && !deadline.hasPassed()) {
-        read(visit, outlines[i], m_benches.front(), examination);
-      }
-      if (examination.marker) {
-        m_chosenPlaces.add(outlines[i].ellipse, examination.marker->family.getType() == vpCircleMarkerFamily::DISC);
-      }
-      if (isWaiting && examination.marker) {
-        m_chosen.push_back(i);
-      }
-    }
+    choose(visit, outlines);
     measureChosen(visit, outlines);
     isOver = deadline.hasPassed();
-    bool someAreNone = false;
-    for (const std::size_t i : m_chosen) {
-      Examination &examination = m_examinations[i];
-      examination.isOver = examination.isFound || examination.attempt == m_attempts.size();
-      if (!examination.candidates.empty() && !examination.isFound) {
-        examination.candidates.back().reason =
-            isOver ? vpCircleMarkerReject::TIMEOUT : vpCircleMarkerReject::UNLIKE_THE_MODEL;
-      }
-      if (!examination.isFound) { // it may be of the next family, and what lies inside of it has its turn
-        examination.marker.reset();
-        examination.isRead = false;
-        someAreNone = true;
-      }
-    }
+    const bool someAreNone = settleChosen(isOver);
     isOver = isOver || !someAreNone;
   }
   if (keepsDebug) {
     keepCandidates(outlines);
   }
+}
+
+/*! Reads what is not read yet, from the largest to the smallest, and chooses what is to be measured. */
+void vpDetectorCircleMarker::Impl::choose(const Visit &visit, const Outlines &outlines)
+{
+  m_chosen.clear();
+  m_chosenPlaces.reset(static_cast<int>(visit.I.getWidth()), static_cast<int>(visit.I.getHeight()));
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    Examination &examination = m_examinations[i];
+    const bool isWaiting = !examination.isOver;
+    if (isWaiting && m_chosenPlaces.hold(outlines[i].ellipse)) {
+      continue;
+    }
+    if (isWaiting && !examination.isRead && !visit.deadline.hasPassed()) {
+      read(visit, outlines[i], m_benches.front(), examination);
+    }
+    if (examination.marker) {
+      m_chosenPlaces.add(outlines[i].ellipse, examination.marker->family.getType() == vpCircleMarkerFamily::DISC);
+    }
+    if (isWaiting && examination.marker) {
+      m_chosen.push_back(i);
+    }
+  }
+}
+
+/*!
+  After the chosen ones were measured: those that are none may be of the next family, and what lies inside of them has
+  its turn. \param isTimeOver : Whether there was no time to measure all. \return Whether some are none.
+*/
+bool vpDetectorCircleMarker::Impl::settleChosen(bool isTimeOver)
+{
+  bool someAreNone = false;
+  for (const std::size_t i : m_chosen) {
+    Examination &examination = m_examinations[i];
+    examination.isOver = examination.isFound || examination.attempt == m_attempts.size();
+    if (examination.isFound) {
+      continue;
+    }
+    if (!examination.candidates.empty()) {
+      examination.candidates.back().reason =
+          isTimeOver ? vpCircleMarkerReject::TIMEOUT : vpCircleMarkerReject::UNLIKE_THE_MODEL;
+    }
+    examination.marker.reset();
+    examination.isRead = false;
+    someAreNone = true;
+  }
+  return someAreNone;
 }
 
 /*! The chosen outlines through the room refine, on all threads. */
@@ -298,7 +320,7 @@ vpDetectorCircleMarker::~vpDetectorCircleMarker() = default;
 
   \param I : Grey level image.
   \return Whether a marker was found.
-  \exception vpException::dimensionError : If the image is smaller than 16 x 16 pixels.
+  \exception vpException::dimensionError : If the image has a side of less than 16 or more than 32767 pixels.
 */
 bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I)
 {
@@ -318,7 +340,7 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I)
   \param projErrors : If not null, negative log-likelihood of each pose, up to a constant common to both solutions.
   \param projErrors2 : If not null, the same for the other solution, HUGE_VAL if there is none.
   \return Whether a marker was found.
-  \exception vpException::dimensionError : If the image is smaller than 16 x 16 pixels.
+  \exception vpException::dimensionError : If the image has a side of less than 16 or more than 32767 pixels.
   \exception vpException::badValue : If the size is not positive.
 */
 bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,

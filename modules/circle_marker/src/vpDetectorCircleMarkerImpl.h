@@ -49,6 +49,7 @@ public:
     circle_marker::Recognition marker;       //!< Family and code.
     circle_marker::EllipseCandidate outline; //!< Its outer edge, as found.
     std::vector<vpImagePoint> polygon;       //!< Points along the outline.
+    double noise = 0.;                       //!< Of the image it was found in, grey levels.
   };
 
   void detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
@@ -102,6 +103,8 @@ private:
     double size; //!< Of the markers, metres.
     const circle_marker::CameraModel &camera;
     const circle_marker::Deadline &deadline;
+    const double &noise;      //!< Standard deviation of the image's noise, grey levels: known after the first room.
+    bool isSizeGiven = false; //!< Whether all markers have that size, whatever the database says.
   };
 
   void detectBlack(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
@@ -121,14 +124,19 @@ private:
   void readWhole(const Visit &visit, const circle_marker::EllipseCandidate &outline,
                  const circle_marker::PosePair &poses, const vpCircleMarkerFamily &family,
                  Examination &examination) const;
-  double sizeOf(const circle_marker::Recognition &marker, double usual) const;
+  std::optional<circle_marker::Recognition>
+  readInDoubt(const Visit &visit, const circle_marker::EllipseCandidate &outline, const circle_marker::PosePair &poses,
+              const vpCircleMarkerFamily &family, circle_marker::ReadingKind kind, Bench &bench) const;
+  double sizeOf(const circle_marker::Recognition &marker, const Visit &visit) const;
   std::optional<circle_marker::Measurement> withoutCover(const Visit &visit,
                                                          const circle_marker::EllipseCandidate &outline,
                                                          const circle_marker::Measurement &measurement,
                                                          circle_marker::Recognition &marker, Bench &bench) const;
   bool measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
                      circle_marker::Recognition marker, Bench &bench, Found &measured) const;
+  void choose(const Visit &visit, const Outlines &outlines);
   void measureChosen(const Visit &visit, const Outlines &outlines);
+  bool settleChosen(bool isTimeOver);
   void keepSeen(const Outlines &outlines);
   void keepCandidates(const Outlines &outlines);
   void keepSurroundings(const vpImage<unsigned char> &I);

@@ -25,6 +25,7 @@
 #include "refine/blur_shape.h"
 #include "refine/blurred_measurement.h"
 #include "refine/camera_doubt.h"
+#include "refine/closed_form.h"
 #include "refine/measure.h"
 #include "refine/report.h"
 #include "debug_record.h"
@@ -40,7 +41,7 @@ namespace {
 constexpr double leastRingSemiMinor = 3.8;
 
 // Outlines of an image that are read through a blur, at most. A picture that is out of focus has hundreds of them if it
-// is full of rings; with as many as this it takes two seconds and a family.
+// is full of rings; each takes 10 to 20 ms and a family (bench-circle-marker --timeouts 1, defocused-tracks).
 constexpr std::size_t mostBlurred = 16;
 
 // Residuals larger than this, grey levels, are not noise; unless the image has so much, by which it is known to a half.
@@ -79,21 +80,11 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   if (!poses && keepsDebug) {
     examination.candidates.push_back(candidateOf(outline, settings.families.front(), vpCircleMarkerReject::NO_POSE));
   }
-  // Who asks for more certainty than by default, or forbids corrections, gets what is read sector by sector.
-  const bool mayProve = settings.refinePose && settings.decode.maximumHamming > 0 &&
-                        settings.decode.minimumMargin <= DecodeSettings().minimumMargin;
   while (poses && !examination.marker && examination.attempt < m_attempts.size() && !visit.deadline.hasPassed()) {
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
     if (attempt.kind != ReadingKind::WHOLE) {
-      if (attempt.kind == ReadingKind::COVERED) {
-        examination.marker = recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, family, settings.decode,
-                                                     bench.measuring, visit.deadline);
-      }
-      else if (attempt.kind == ReadingKind::UNCERTAIN && mayProve && mayBeUncertain(outline.ellipse, family)) {
-        examination.marker =
-            recogniseUncertain(visit.I, visit.camera, *poses, outline, family, m_outlines.full.gradient.noise);
-      }
+      examination.marker = readInDoubt(visit, outline, *poses, family, attempt.kind, bench);
       if (examination.marker && keepsDebug) {
         std::vector<vpCircleMarkerCandidate> &candidates = examination.candidates; // it is none as a whole marker only
         candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
@@ -107,14 +98,31 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
     }
   }
   if (examination.marker) {
-    scaleTo(sizeOf(*examination.marker, visit.size), examination.marker->poses);
+    scaleTo(sizeOf(*examination.marker, visit), examination.marker->poses);
   }
   examination.isRead = true;
   examination.isOver = !examination.marker;
 }
 
+/*! An outline as a marker with sectors that are too small to be read one by one, or with something in front of it. */
+std::optional<Recognition>
+vpDetectorCircleMarker::Impl::readInDoubt(const Visit &visit, const EllipseCandidate &outline, const PosePair &poses,
+                                          const vpCircleMarkerFamily &family, ReadingKind kind, Bench &bench) const
+{
+  if (kind == ReadingKind::COVERED) {
+    return recogniseByMeasuredRing(visit.I, visit.camera, outline, poses, family, settings.decode, bench.measuring,
+                                   visit.deadline);
+  }
+  // Who asks for more certainty than by default, or forbids corrections, gets what is read sector by sector.
+  const bool mayProve = settings.refinePose && settings.decode.maximumHamming > 0 &&
+                        settings.decode.minimumMargin <= DecodeSettings().minimumMargin;
+  return mayProve && mayBeUncertain(outline.ellipse, family)
+             ? recogniseUncertain(visit.I, visit.camera, poses, outline, family, visit.noise)
+             : std::nullopt;
+}
+
 /*!
-  Allows the largest of the outlines that look blurred to be read through the blur: a tenth of a second for each. Which
+  Allows the largest of the outlines that look blurred to be read through the blur: 10 to 20 ms for each. Which
   ones does not depend on the threads, nor on what is read.
 */
 void vpDetectorCircleMarker::Impl::allowBlurred(const Visit &visit, const Outlines &outlines)
@@ -126,7 +134,7 @@ void vpDetectorCircleMarker::Impl::allowBlurred(const Visit &visit, const Outlin
   const bool isAsked = hasRings || hasAny([](const auto &family) { return family.isCoded(); });
   std::size_t allowed = 0;
   for (std::size_t i = 0; isAsked && i < outlines.size() && allowed < mostBlurred && !visit.deadline.hasPassed(); ++i) {
-    m_examinations[i].mayBeBlurred = !outlines[i].isByLine && looksBlurred(visit.I, outlines[i].ellipse, !hasRings);
+    m_examinations[i].mayBeBlurred = !outlines[i].isThin && looksBlurred(visit.I, outlines[i].ellipse, !hasRings);
     allowed += m_examinations[i].mayBeBlurred ? 1 : 0;
   }
 }
@@ -147,12 +155,16 @@ void vpDetectorCircleMarker::Impl::readWhole(const Visit &visit, const EllipseCa
   }
 }
 
-/*! Outer diameter of a marker, metres: as the database has it, or setMarkerSizes(), or detect(). */
-double vpDetectorCircleMarker::Impl::sizeOf(const Recognition &marker, double usual) const
+/*! Outer diameter of a marker, metres: as the database has it, or setMarkerSizes(), or detect(); or as getPose() says.
+ */
+double vpDetectorCircleMarker::Impl::sizeOf(const Recognition &marker, const Visit &visit) const
 {
+  if (visit.isSizeGiven) {
+    return visit.size;
+  }
   const vpCircleMarkerEntry *entry = database.find(marker.family, marker.code.id);
   const auto known = settings.sizes.find(marker.code.id);
-  return entry != nullptr ? entry->size : known != settings.sizes.end() ? known->second : usual;
+  return entry != nullptr ? entry->size : known != settings.sizes.end() ? known->second : visit.size;
 }
 
 /*!
@@ -165,7 +177,7 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
                                                                       Recognition &marker, Bench &bench) const
 {
   MeasureMemory &memory = bench.measuring;
-  const double noise = m_outlines.full.gradient.noise;
+  const double noise = visit.noise;
   const WholeVerdict verdict = judgeWhole(visit.I, visit.camera, noise, outline.support, marker, measurement, memory);
   if (verdict == WholeVerdict::WRONG) {
     return std::nullopt;
@@ -189,7 +201,7 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
                                                  memory, visit.deadline)
                        : std::nullopt;
   if (covered && (marker.code.hamming > 0 || covered->code.id == marker.code.id)) {
-    scaleTo(sizeOf(*covered, visit.size), covered->poses);
+    scaleTo(sizeOf(*covered, visit), covered->poses);
     if (auto again = measure(visit.I, visit.camera, *covered, true, memory, visit.deadline)) {
       marker = std::move(*covered);
       return again;
@@ -205,24 +217,34 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
 {
   const bool isProofWanted = settings.refinePose && !marker.seen && !marker.blurred &&
                              (!marker.isCertain || wantsProof(outline.ellipse, marker.family));
-  auto measurement = isProofWanted ? measureProven(visit.I, visit.camera, m_outlines.full.gradient.noise, marker,
-                                                   bench.measuring, visit.deadline)
-                                   : bestMeasurement(marker, measure(visit.I, visit.camera, marker, settings.refinePose,
-                                                                     bench.measuring, visit.deadline));
+  std::optional<Measurement> measurement;
+  if (isProofWanted) {
+    measurement = measureProven(visit.I, visit.camera, visit.noise, marker, bench.measuring, visit.deadline);
+  }
+  else if (settings.refinePose || !marker.blurred) { // the reading through a blur has its own poses
+    measurement = measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring, visit.deadline);
+  }
+  if (!isProofWanted) {
+    measurement = bestMeasurement(marker, measurement);
+  }
   if (measurement && settings.refinePose && !isProofWanted) {
     measurement = withoutCover(visit, outline, *measurement, marker, bench);
   }
-  if (!measurement || (settings.refinePose && !isNoise(measurement->first.noise, m_outlines.full.gradient.noise))) {
+  if (!measurement || (settings.refinePose && !isNoise(measurement->first.noise, visit.noise))) {
     return false;
   }
   if (isProofWanted) { // it may be another marker than was read
-    scaleTo(sizeOf(marker, visit.size), measurement->first);
+    scaleTo(sizeOf(marker, visit), measurement->first);
     if (measurement->second) {
-      scaleTo(sizeOf(marker, visit.size), *measurement->second);
+      scaleTo(sizeOf(marker, visit), *measurement->second);
     }
   }
   if (settings.refinePose) {
-    widenByShapeOfBlur(m_outlines.full.gradient.noise, marker.family.isCoded(), measurement->first);
+    widenByShapeOfBlur(visit.noise, marker.family.isCoded(), measurement->first);
+  }
+  else if (!marker.blurred) {
+    measurement->first.covariance =
+        closedFormCovariance(outline, measurement->first.plane, marker.family, visit.camera);
   }
   addCameraDoubt(settings.cameraCovariance, marker.family, visit.camera, measurement->first);
   // Of a blurred outline pieces are missed, but a marker that is read through a blur shows all of its image.
@@ -239,6 +261,7 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
   putOutline(marker, measurement->first.plane, visit.camera, polygonPoints, measured.polygon);
   measured.marker = std::move(marker);
   measured.outline = outline;
+  measured.noise = visit.noise;
   return true;
 }
 

@@ -90,7 +90,14 @@ void vpDetectorCircleMarker::Impl::addInverse(Impl &inverse)
   }
   outlineCount += inverse.outlineCount;
   searched.insert(searched.end(), inverse.searched.begin(), inverse.searched.end());
+  for (vpCircleMarkerCandidate &candidate : inverse.debug.candidates) {
+    candidate.isInverse = true;
+  }
+  for (vpCircleMarkerDebug::Scale &scale : inverse.debug.scales) {
+    scale.isInverse = true;
+  }
   debug.candidates.insert(debug.candidates.end(), inverse.debug.candidates.begin(), inverse.debug.candidates.end());
+  debug.scales.insert(debug.scales.end(), inverse.debug.scales.begin(), inverse.debug.scales.end());
 }
 
 /*!

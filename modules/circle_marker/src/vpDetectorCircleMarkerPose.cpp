@@ -60,21 +60,28 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   m_benches.resize(std::max<std::size_t>(m_benches.size(), 1));
   Bench &bench = m_benches.front();
   const vpImage<unsigned char> &kept = known.detection.isInverse ? m_inverse.front().image : image;
-  std::optional<Recognition> marker;
   const vpCircleMarkerFamily &family = known.marker.family;
-  if (auto whole = recognise(kept, camera, *poses, known.outline, family, settings.decode)) {
-    marker = std::move(*whole);
-  }
-  else {
-    marker = recogniseByMeasuredRing(kept, camera, known.outline, *poses, family, settings.decode, bench.measuring);
-  }
-  if (!marker || marker->code.id != known.marker.code.id) {
-    return std::nullopt;
-  }
   const Deadline never;
-  Found measured;
-  const bool isMeasured = measureMarker({kept, size, camera, never}, known.outline, *marker, bench, measured);
-  return isMeasured ? std::optional<vpCircleMarkerDetection>(measured.detection) : std::nullopt;
+  const Visit visit = {kept, size, camera, never, known.noise, true};
+  std::vector<Attempt> attempts;
+  listAttempts({family}, attempts);
+  for (const Attempt &attempt : attempts) {
+    std::optional<Recognition> marker;
+    if (attempt.kind != ReadingKind::WHOLE) {
+      marker = readInDoubt(visit, known.outline, *poses, family, attempt.kind, bench);
+    }
+    else if (auto whole = recognise(kept, camera, *poses, known.outline, family, settings.decode)) {
+      marker = std::move(*whole);
+    }
+    Found measured;
+    const bool isMeasured = marker && measureMarker(visit, known.outline, *marker, bench, measured);
+    if (isMeasured &&
+        measured.detection.id == known.detection.id) { // a proof may have made another one of what was read
+      measured.detection.isInverse = known.detection.isInverse;
+      return measured.detection;
+    }
+  }
+  return std::nullopt;
 }
 
 /*!

@@ -105,7 +105,8 @@ void vpDetectorCircleMarker::setMinimumMargin(double margin)
 }
 
 /*!
-  \param threads : Number of threads, at least one.
+  \param threads : Number of threads, at least one. They are started by the next detect(), which throws
+  vpException::fatalError if the system does not give so many.
   \exception vpException::badValue : If it is 0.
 */
 void vpDetectorCircleMarker::setNbThreads(unsigned int threads)

@@ -171,7 +171,8 @@ void vpDetectorCircleMarker::Impl::forgetTracks()
   Follows markers from image to image: their outlines are looked for where they are expected, then in regions around
   these places, which takes a fraction of the time. The whole image is searched while there is no marker, when one is
   lost, and every \e fullSearchPeriod images, so that new ones are found. What is found of a marker is what a search of
-  the whole image finds of it.
+  the whole image finds of it. A search of the whole image that a timeout cuts short does not count: the next one but
+  one is whole again, and markers that were not reached are not forgotten.
 
   The images must be those of one camera in their order.
 

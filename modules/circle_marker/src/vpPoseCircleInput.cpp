@@ -32,13 +32,25 @@
 BEGIN_VISP_NAMESPACE
 using namespace circle_marker;
 
+namespace {
+// A point of the image in normalised coordinates.
+Eigen::Vector2d pointOf(const vpImagePoint &ip, const vpCameraParameters &cam)
+{
+  const std::optional<Eigen::Vector2d> point = normalizePoint(ip, cam);
+  if (!point) {
+    refuse("a contour point is not finite or beyond the field of view of the camera model");
+  }
+  return *point;
+}
+} // namespace
+
 /*!
   Adds a contour point.
   \param P : Its image in normalised coordinates, vpPoint::get_x() and get_y(); its 3D coordinates are not used.
 */
 void vpPoseCircle::addPoint(const vpPoint &P)
 {
-  m_impl->addPoint({P.get_x(), P.get_y()});
+  m_impl->addPoints({{P.get_x(), P.get_y()}});
 }
 
 /*!
@@ -48,27 +60,30 @@ void vpPoseCircle::addPoint(const vpPoint &P)
 */
 void vpPoseCircle::addPoint(const vpImagePoint &ip, const vpCameraParameters &cam)
 {
-  const std::optional<Eigen::Vector2d> point = normalizePoint(ip, cam);
-  if (!point) {
-    refuse("a contour point is not finite or beyond the field of view of the camera model");
-  }
-  m_impl->addPoint(*point);
+  m_impl->addPoints({pointOf(ip, cam)});
 }
 
-/*! Adds contour points; see addPoint(const vpPoint &). */
+/*! Adds contour points, all or, if one cannot be added, none; see addPoint(const vpPoint &). */
 void vpPoseCircle::addPoints(const std::vector<vpPoint> &lP)
 {
+  std::vector<Eigen::Vector2d> points;
   for (const vpPoint &P : lP) {
-    addPoint(P);
+    points.push_back({P.get_x(), P.get_y()});
   }
+  m_impl->addPoints(points);
 }
 
-/*! Adds contour points; see addPoint(const vpImagePoint &, const vpCameraParameters &). */
+/*!
+  Adds contour points, all or, if one cannot be added, none; see addPoint(const vpImagePoint &, const
+  vpCameraParameters &).
+*/
 void vpPoseCircle::addPoints(const std::vector<vpImagePoint> &ips, const vpCameraParameters &cam)
 {
+  std::vector<Eigen::Vector2d> points;
   for (const vpImagePoint &ip : ips) {
-    addPoint(ip, cam);
+    points.push_back(pointOf(ip, cam));
   }
+  m_impl->addPoints(points);
 }
 
 /*! Forgets the contour points and the measured ellipse; radius, evidence and settings stay. */

@@ -191,6 +191,39 @@ TEST(CircleMarkerDatabase, ErrorsNameTheLineAndWhatToDo)
   }
 }
 
+TEST(CircleMarkerDatabase, ListsInListsHaveAnEnd)
+{
+  const auto nested = [](std::size_t depth) {
+    return withMarker("    {\"family\": \"golay23\", \"id\": 3, \"size\": 0.1, \"payload\": " +
+                      std::string(depth, '[') + std::string(depth, ']') + "}");
+  };
+  EXPECT_EQ(complaintAbout(nested(90)), "");
+  EXPECT_NE(complaintAbout(nested(200)).find("nested"), std::string::npos);
+  EXPECT_NE(complaintAbout(nested(300000)).find("nested"), std::string::npos);
+}
+
+TEST(CircleMarkerDatabase, WhatCannotBeWrittenIsNamed)
+{
+  vpCircleMarkerEntry latin = entryOf(vpCircleMarkerFamily::GOLAY23, 5);
+  latin.name = "caf\xe9"; // not UTF-8
+  vpCircleMarkerEntry broken = entryOf(vpCircleMarkerFamily::GOLAY23, 5);
+  broken.isPayloadJson = true;
+  broken.payload = "{not json";
+  for (const vpCircleMarkerEntry &entry : {latin, broken}) {
+    vpCircleMarkerDatabase database;
+    database.add(entry);
+    try {
+      database.save("testCircleMarkerDatabase-cannot.json");
+      ADD_FAILURE() << "it was written";
+    }
+    catch (const vpException &e) {
+      EXPECT_EQ(e.getCode(), vpException::badValue);
+      EXPECT_NE(std::string(e.what()).find("golay23 id 5"), std::string::npos) << e.what();
+    }
+    EXPECT_FALSE(std::ifstream("testCircleMarkerDatabase-cannot.json").good());
+  }
+}
+
 TEST(CircleMarkerDatabase, RefusesOtherFiles)
 {
   for (const char *text :

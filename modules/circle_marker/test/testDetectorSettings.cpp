@@ -133,6 +133,32 @@ TEST(DetectorSettings, TheRatioOfARingIsKept)
   EXPECT_DOUBLE_EQ(read.families[0].getLayout().ringInner, 0.65);
 }
 
+TEST(DetectorSettings, ALayoutOfOnesOwnIsKept)
+{
+  DetectorSettings settings = defaults();
+  vpCircleMarkerLayout layout;
+  layout.ringInner = 0.75;
+  layout.codeOuter = 0.65;
+  layout.codeInner = 0.35;
+  layout.quietZone = 0.2;
+  vpCircleMarkerLayout wideRing = vpCircleMarkerFamily::ring(0.65).getLayout();
+  wideRing.quietZone = 0.3;
+  settings.families = {vpCircleMarkerFamily(vpCircleMarkerFamily::BCH31).withLayout(layout),
+                       vpCircleMarkerFamily(vpCircleMarkerFamily::RING).withLayout(wideRing)};
+  TestFile file;
+  writeSettings(file.name(), settings);
+  const DetectorSettings read = readSettings(file.name(), defaults());
+  ASSERT_EQ(read.families.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const vpCircleMarkerLayout &expected = settings.families[i].getLayout();
+    EXPECT_EQ(read.families[i].getType(), settings.families[i].getType());
+    EXPECT_EQ(read.families[i].getLayout().ringInner, expected.ringInner);
+    EXPECT_EQ(read.families[i].getLayout().codeOuter, expected.codeOuter);
+    EXPECT_EQ(read.families[i].getLayout().codeInner, expected.codeInner);
+    EXPECT_EQ(read.families[i].getLayout().quietZone, expected.quietZone);
+  }
+}
+
 TEST(DetectorSettings, WhatIsNotNamedStays)
 {
   TestFile file;
@@ -186,6 +212,8 @@ TEST(DetectorSettings, WrongContentsAreRefused)
                            "{\"maximumHammingDistance\": -1}",
                            "{\"maximumHammingDistance\": \"2\"}",
                            "{\"minimumMargin\": \"high\"}",
+                           "{\"families\": [{\"name\": \"golay23\", \"layout\": {\"ringInner\": 0.8}}]}",
+                           "{\"families\": [{\"name\": \"golay23\", \"ratio\": 0.7}]}",
                            "{\"refinePose\": 1}",
                            "{\"polarity\": \"white\"}",
                            "{\"zAlignedWithCameraAxis\": \"yes\"}"}) {

@@ -112,22 +112,6 @@ TEST(FitConic, ConicIsNegativeInside)
   EXPECT_LT(Q(2, 2) + 6. * Q(0, 2) + 8. * Q(1, 2) + 9. * Q(0, 0) + 24. * Q(0, 1) + 16. * Q(1, 1), 0.);
 }
 
-TEST(FitConic, TransformedConicHoldsTransformedPoints)
-{
-  std::mt19937_64 random = randomOfTest();
-  for (int i = 0; i < 500; i++) {
-    EllipseParameters e = randomEllipse(random, 0.3);
-    e.center /= 10.;
-    Eigen::Matrix3d H;
-    H << 1.2, 0.3, 5., -0.2, 0.8, -3., 1e-3, -2e-3, 1.;
-    const Eigen::Matrix3d Q = transformConic(conicFromEllipse(e), H);
-    for (const Eigen::Vector2d &point : arcOf(e, 8, 0., 2. * M_PI)) {
-      const Eigen::Vector2d mapped = (H * point.homogeneous()).hnormalized();
-      EXPECT_NEAR(sampsonDistance(Q, mapped), 0., 1e-9);
-    }
-  }
-}
-
 TEST(FitConic, SampsonDistanceOfACircle)
 {
   // F = rho^2 - R^2 has the slope 2 rho.

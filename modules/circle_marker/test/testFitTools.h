@@ -128,7 +128,7 @@ inline FitSettings settingsOf(const vpCircleMarkerFamily &family)
 {
   FitSettings settings;
   settings.spinIsKnown = family.isCoded();
-  settings.growth = family.getType() != vpCircleMarkerFamily::DISC;
+  settings.gammaAndSpread = family.getType() != vpCircleMarkerFamily::DISC;
   return settings;
 }
 

@@ -47,7 +47,7 @@ Outcome outcomeOf(Fitter &fitter, const vpImage<unsigned char> &I, const MarkerS
   FitSettings settings;
   settings.spinIsKnown = scene.family.isCoded();
   settings.exactBends = exactBends;
-  settings.growth = scene.family.getType() != vpCircleMarkerFamily::DISC;
+  settings.gammaAndSpread = scene.family.getType() != vpCircleMarkerFamily::DISC;
   // One step: what is decided on the way to the end, as when to judge the surround again, may hang on rounding.
   settings.mostIterations = 1;
   MarkerPlane start = plane;

@@ -55,10 +55,10 @@ struct Known
 {
   KnownOutlines outlines;
   Known() { outlines.reset(side, side); }
-  bool take(const EllipseParameters &ellipse, double support, bool isByLine = false)
+  bool take(const EllipseParameters &ellipse, double support, bool isThin = false)
   {
     EllipseCandidate candidate = candidateAt(ellipse, support);
-    candidate.isByLine = isByLine;
+    candidate.isThin = isThin;
     return outlines.take(candidate);
   }
 };

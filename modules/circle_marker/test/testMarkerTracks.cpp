@@ -149,6 +149,24 @@ TEST(MarkerTracks, WhatIsMissingIsNoticed)
   EXPECT_TRUE(tracks.haveAll({seenAt(20., 150., 40., 1)}));
 }
 
+TEST(MarkerTracks, WhatThereWasNoTimeForIsStillExpected)
+{
+  const SeenMarker first = seenAt(150., 150., 40., 1);
+  const SeenMarker second = seenAt(450., 300., 40., 2);
+  const SeenMarker moved = seenAt(455., 302., 40., 2);
+  for (const bool isCutShort : {false, true}) {
+    MarkerTracks tracks;
+    tracks.follow({first, second}, width, height);
+    tracks.follow({first, moved}, width, height);
+    tracks.follow({first}, width, height, isCutShort);
+    EXPECT_EQ(tracks.predict(width, height).size(), isCutShort ? 2u : 1u);
+    ASSERT_EQ(tracks.getExpected().size(), isCutShort ? 2u : 1u);
+    if (isCutShort) { // it goes on as it did, in the image that was not looked at, too
+      EXPECT_NEAR((tracks.getExpected()[1].center - Eigen::Vector2d(465., 306.)).norm(), 0., 1e-9);
+    }
+  }
+}
+
 TEST(MarkerTracks, MarkersWithoutACodeAreToldApartByPlace)
 {
   MarkerTracks tracks;

@@ -112,6 +112,10 @@ TEST(PoseCircleErrors, Points)
   P.set_x(infinity);
   P.set_y(0.);
   expectReason([&] { pose.addPoint(P); }, "finite");
+  const unsigned int before = pose.getNbPoints();
+  expectReason([&] { pose.addPoints({vpImagePoint(1., 2.), vpImagePoint(nan_, 1.)}, camera()); }, "finite");
+  expectReason([&] { pose.addPoints({vpPoint(), P}); }, "finite");
+  EXPECT_EQ(pose.getNbPoints(), before) << "all or none";
 
   // A fisheye's pixel at more than a right angle from the axis is not in front of the camera.
   vpCameraParameters fisheye;

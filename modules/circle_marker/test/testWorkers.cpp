@@ -20,11 +20,19 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
 #include <stdexcept>
+#include <string>
 #include <thread>
 #include <vector>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
 #include <gtest/gtest.h>
+
+#include <visp3/core/vpException.h>
 
 #ifdef ENABLE_VISP_NAMESPACE
 using namespace VISP_NAMESPACE_NAME;
@@ -122,6 +130,29 @@ TEST(Workers, WhatATaskThrowsComesToTheCaller)
   EXPECT_LT(begun, 10000) << "tasks that were not begun are left out";
   EXPECT_EQ(callsOfARound(workers, 100), std::vector<int>(100, 1)) << "and the next round is as any other";
 }
+
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST(Workers, ThreadsThatCannotBeHadAreAnException)
+{
+  ::testing::FLAGS_gtest_death_test_style = "threadsafe";
+  const auto tooMany = [] {
+    rlimit limit = {std::size_t(1) << 30, std::size_t(1) << 30}; // bytes; a thread's stack takes 8 MB
+    setrlimit(RLIMIT_AS, &limit);
+    Workers workers(4000);
+    try {
+      workers.run(10, [](std::size_t, unsigned int) {});
+    }
+    catch (const vpException &e) {
+      const bool isSaid = std::string(e.what()).find("ask for fewer") != std::string::npos;
+      workers.setCount(1);
+      workers.run(10, [](std::size_t, unsigned int) {});
+      std::_Exit(isSaid ? 0 : 2);
+    }
+    std::_Exit(1);
+  };
+  EXPECT_EXIT(tooMany(), ::testing::ExitedWithCode(0), "");
+}
+#endif
 
 TEST(Workers, CopyHasThreadsOfItsOwn)
 {

@@ -28,6 +28,36 @@
 #include "arguments.h"
 
 namespace tutorial {
+/*! A number in a range; CLI11's own check lets what is no number (nan) pass. */
+inline CLI::Validator numberIn(double least, double most)
+{
+  const std::string range = CLI::detail::to_string(least) + " to " + CLI::detail::to_string(most);
+  return CLI::Validator(
+      [least, most, range](std::string &text) {
+        double value = 0.;
+        const bool isGood = CLI::detail::lexical_cast(text, value) && value >= least && value <= most;
+        return isGood ? std::string() : "\"" + text + "\" is not a number from " + range;
+      },
+      range);
+}
+
+/*! A number above 0 that is none too large to be meant. */
+inline CLI::Validator positiveNumber()
+{
+  return numberIn(1e-9, 1e9);
+}
+
+/*! A whole number that is not negative: of -1 CLI11 would make one with twenty digits. */
+inline CLI::Validator wholeNumber()
+{
+  return CLI::Validator(
+      [](std::string &text) {
+        const bool isGood = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+        return isGood ? std::string() : "\"" + text + "\" is not a whole number from 0";
+      },
+      "whole number");
+}
+
 /*!
   Arguments in the order CLI11 wants them, last first; options may be written with underscores, as ViSP's tools do.
 */

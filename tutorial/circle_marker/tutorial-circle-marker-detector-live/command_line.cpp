@@ -60,7 +60,7 @@ Request parseCommandLine(int argc, const char *const argv[])
                  "first image, with a window when r or the left button is pressed");
   app.add_option("--count", order.count, "End after this number of images")->check(CLI::Range(1UL, 1000000000UL));
   app.add_option("--timeout", order.timeout, "Seconds without an image after which the program gives up")
-      ->check(CLI::Range(0.1, 3600.))
+      ->check(numberIn(0.1, 3600.))
       ->capture_default_str();
   app.add_flag("--all-images", order.allImages,
                "Use every image, in order, even if the camera waits; otherwise always the newest");

@@ -121,9 +121,20 @@ private:
       writeRooms(source, cam);
     }
     catch (const vpException &e) {
-      m_allUsed = false;
-      program.complain("\"" + source.name + "\" is left out: " + e.what());
+      leaveOut(source, e.what());
     }
+    catch (const CameraError &e) { // of the first image it is an argument that is wrong
+      if (!m_hadCamera) {
+        throw;
+      }
+      leaveOut(source, e.what());
+    }
+  }
+
+  void leaveOut(const SourceImage &source, const std::string &problem)
+  {
+    m_allUsed = false;
+    program.complain("\"" + source.name + "\" is left out: " + problem);
   }
 
   void keep(const std::string &line)
@@ -143,6 +154,7 @@ private:
       return m_camera->parameters;
     }
     m_camera = readCamera(m_order.cameraFile, m_order.cameraName, width, height);
+    m_hadCamera = true;
     m_width = width;
     m_height = height;
     if (m_camera->width != 0 && (m_camera->width != width || m_camera->height != height)) {
@@ -214,6 +226,7 @@ private:
   std::optional<NumberedName> m_overlayName; //!< Names of the pictures, if they have a number.
   std::optional<Window> m_window;            //!< Shows the pictures.
   std::optional<NamedCamera> m_camera;       //!< Camera for images of the size below.
+  bool m_hadCamera = false;                  //!< Whether there was one for any image.
   unsigned int m_width = 0;                  //!< Pixels.
   unsigned int m_height = 0;                 //!< Pixels.
   std::string m_lines;                       //!< Results so far.

@@ -173,7 +173,7 @@ RequestFor<Order> parseCommandLine(int argc, const char *const argv[])
   app.add_option("--camera-name", order.cameraName, "Name of the camera in that file")->required();
   app.add_option("--size", order.size, "Outer diameter of the ring, or side of the tag's black square, metres")
       ->required()
-      ->check(CLI::PositiveNumber);
+      ->check(tutorial::positiveNumber());
   app.add_option("--detector", order.detector, "circle (golay23) or apriltag (36h11)")
       ->required()
       ->check(CLI::IsMember({"circle", "apriltag"}));

@@ -54,25 +54,25 @@ Request parseCommandLine(int argc, const char *const argv[])
   app.add_option("--id", order.id, "Id of the marker; any unless told")->check(CLI::Range(0, 1000000));
   app.add_option("--robot-address", order.robotAddress, "Handed to the robot that you have supplied");
   app.add_option("--distance", order.distance, "Desired distance of the marker, metres")
-      ->check(CLI::Range(0.05, 20.))
+      ->check(numberIn(0.05, 20.))
       ->capture_default_str();
   app.add_option("--max-speed", speed, "Greatest speed of the camera, m/s")
-      ->check(CLI::Range(0.001, 2.))
+      ->check(numberIn(0.001, 2.))
       ->capture_default_str();
   app.add_option("--max-turn", turn, "Greatest turn of the camera, degrees/s")
-      ->check(CLI::Range(0.1, 90.))
+      ->check(numberIn(0.1, 90.))
       ->capture_default_str();
   app.add_option("--accept-distance", acceptedDistance, "Accepted error of the place, mm")
-      ->check(CLI::PositiveNumber)
+      ->check(positiveNumber())
       ->capture_default_str();
   app.add_option("--accept-angle", acceptedAngle, "Accepted error of the rotation, degrees")
-      ->check(CLI::PositiveNumber)
+      ->check(positiveNumber())
       ->capture_default_str();
   app.add_option("--most-images", order.mostImages, "Images after which the servo gives up")
       ->check(CLI::Range(10U, 1000000U))
       ->capture_default_str();
   app.add_option("--timeout", order.timeout, "Seconds without an image after which the program gives up")
-      ->check(CLI::Range(0.1, 3600.))
+      ->check(numberIn(0.1, 3600.))
       ->capture_default_str();
   app.add_option("--output", order.folder, "Folder for servo.csv, servo.svg and overlay-*.png")->capture_default_str();
   app.add_flag("--display-off", displayOff,

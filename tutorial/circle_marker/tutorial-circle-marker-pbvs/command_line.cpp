@@ -39,9 +39,9 @@ Request parseCommandLine(int argc, const char *const argv[])
   app.add_flag("--display-off", displayOff,
                "Open no windows; in the window a left click starts or stops, a right click quits");
   app.add_option("--output", order.folder, "Folder for servo.csv, servo.svg and overlay-*.png")->capture_default_str();
-  app.add_option("--seed", order.seed, "Of the start and the noise")->capture_default_str();
+  app.add_option("--seed", order.seed, "Of the start and the noise")->check(wholeNumber())->capture_default_str();
   app.add_option("--distance", order.distance, "Distance of the start, metres; random from 0.5 to 4 unless told")
-      ->check(CLI::Range(0.3, 100.));
+      ->check(numberIn(0.3, 100.));
   app.add_option("--runs", order.runs,
                  "Number of random starts, with the seeds from --seed on; writes runs.csv, and the rest for the worst")
       ->check(CLI::Range(1U, 100000U))

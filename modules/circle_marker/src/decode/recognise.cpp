@@ -257,14 +257,14 @@ std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, c
                                               const vpCircleMarkerFamily &family, double noise)
 {
   // What was found by its dark line has a dark ring.
-  if (!isAsymmetricAsCode(I, outline.ellipse, noise) || (!outline.isByLine && !hasDarkRing(I, camera, poses[0]))) {
+  if (!isAsymmetricAsCode(I, outline.ellipse, noise) || (!outline.isThin && !hasDarkRing(I, camera, poses[0]))) {
     return std::nullopt;
   }
   std::array<Judged<SectorReading>, 2> sectors = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
   for (std::size_t i = 0; i < 2; ++i) {
     sectors[i] = readSectors(I, camera, poses[i], family);
-    const auto closest = sectors[i] ? closestCode(*sectors[i], family, outline.isByLine) : std::nullopt;
+    const auto closest = sectors[i] ? closestCode(*sectors[i], family, outline.isThin) : std::nullopt;
     if (closest) {
       codes[i] = *closest;
     }

@@ -59,6 +59,8 @@ constexpr double edgeOdds = 4.;
 
 WordEvidence::WordEvidence(const TrackPixels &pixels)
     : m_pixels(pixels), m_sectors(pixels.getSectors()), m_slack(static_cast<float>(pixels.getSlack())),
+      m_inner(static_cast<float>(innerDeviations * std::hypot(pixels.getNoise(), usualError))),
+      m_innerAtEdge(static_cast<float>(innerDeviations * std::hypot(pixels.getNoise(), edgeError))),
       m_explained(pixels.getMemory().explained)
 {
   findRangeOfCutOff();
@@ -156,82 +158,96 @@ void WordEvidence::turnTo(double phase)
   weigh();
 }
 
-void WordEvidence::weigh()
+// The patterns of colours, bit by bit, that a pixel and those beside it show all together.
+std::uint32_t WordEvidence::patternsShownAt(std::size_t i) const
 {
   const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
   const std::vector<int> &grid = m_pixels.getMemory().grid;
   const auto columns = static_cast<std::ptrdiff_t>(m_pixels.getMemory().columns);
-  const unsigned int parts = partsPerSector * m_sectors;
-  const double noise = m_pixels.getNoise();
-  const auto innerFlat = static_cast<float>(innerDeviations * std::hypot(noise, usualError));
-  const auto innerAtEdge = static_cast<float>(innerDeviations * std::hypot(noise, edgeError));
-  Table trusted{};
-  Table counted{};
-  Table inner{};
-  Table edges{};
-  Table cutOff{};
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const Explained &placed = m_explained[i];
-    if (!placed.isOnTrack || placed.byColours == 0) {
+  const Explained &placed = m_explained[i];
+  std::uint32_t shown = ~0U;
+  const auto restrict = [&](const Explained &other, int ahead) { // other by so many sectors ahead
+    std::uint32_t mask = 0;
+    for (unsigned int pattern = 0; pattern < patterns; ++pattern) {
+      mask |= static_cast<std::uint32_t>((other.byColours >> ((pattern >> (1 - ahead)) & 7U)) & 1U) << pattern;
+    }
+    shown &= mask;
+  };
+  restrict(placed, 0);
+  for (const std::ptrdiff_t step : {std::ptrdiff_t(-1), std::ptrdiff_t(1), -columns, columns}) {
+    const int beside = grid[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(pixels[i].cell) + step)];
+    if (beside < 0) {
       continue;
     }
-    std::uint32_t shown = ~0U;
-    const auto restrict = [&](const Explained &other, int ahead) { // other by so many sectors ahead
-      std::uint32_t mask = 0;
-      for (unsigned int pattern = 0; pattern < patterns; ++pattern) {
-        mask |= static_cast<std::uint32_t>((other.byColours >> ((pattern >> (1 - ahead)) & 7U)) & 1U) << pattern;
-      }
-      shown &= mask;
-    };
-    restrict(placed, 0);
-    for (const std::ptrdiff_t step : {std::ptrdiff_t(-1), std::ptrdiff_t(1), -columns, columns}) {
-      const int beside = grid[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(pixels[i].cell) + step)];
-      if (beside < 0) {
-        continue;
-      }
-      const Explained &other = m_explained[static_cast<std::size_t>(beside)];
-      const int ahead = static_cast<int>((other.sector + m_sectors - placed.sector + 1) % m_sectors) - 1;
-      if (ahead <= 1) {
-        restrict(other, ahead);
-      }
+    const Explained &other = m_explained[static_cast<std::size_t>(beside)];
+    const int ahead = static_cast<int>((other.sector + m_sectors - placed.sector + 1) % m_sectors) - 1;
+    if (ahead <= 1) {
+      restrict(other, ahead);
     }
-    const auto part = static_cast<std::size_t>(pixels[i].turn * parts) % parts;
-    for (unsigned int pattern = 0; pattern < patterns; ++pattern) {
-      if (((shown >> pattern) & 1U) == 0) {
-        continue;
-      }
-      const float residual = placed.residualOf((pattern >> 1) & 7U);
-      const float level = placed.isCutOff ? 1.f : static_cast<float>(pixels[i].level) - residual; // as it should be
-      const float trust = level < nearPrint ? m_trust[1][part] : level > 1.f - nearPrint ? m_trust[0][part] : 1.f;
-      cutOff[placed.sector][pattern] += placed.isCutOff ? 1.f : 0.f;
-      counted[placed.sector][pattern] += 1.f;
-      trusted[placed.sector][pattern] += trust;
-      const bool isEdge = level > nearPrint && level < 1.f - nearPrint;
-      inner[placed.sector][pattern] += std::abs(residual) < (isEdge ? innerAtEdge : innerFlat) ? 1.f : 0.f;
-      edges[placed.sector][pattern] += isEdge ? 1.f : 0.f;
+  }
+  return shown;
+}
+
+// Counts a pixel for the patterns that it shows.
+void WordEvidence::count(std::size_t i, std::array<Tally, patterns> &ofSector) const
+{
+  const Pixel &pixel = m_pixels.getMemory().pixels[i];
+  const Explained &placed = m_explained[i];
+  const unsigned int parts = partsPerSector * m_sectors;
+  const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
+  const std::uint32_t shown = patternsShownAt(i);
+  for (unsigned int pattern = 0; pattern < patterns; ++pattern) {
+    if (((shown >> pattern) & 1U) == 0) {
+      continue;
+    }
+    const float residual = placed.residualOf((pattern >> 1) & 7U);
+    const float level = placed.isCutOff ? 1.f : static_cast<float>(pixel.level) - residual; // as it should be
+    const bool isEdge = level > nearPrint && level < 1.f - nearPrint;
+    Tally &tally = ofSector[pattern];
+    tally.counted += 1.f;
+    tally.trusted += level < nearPrint ? m_trust[1][part] : level > 1.f - nearPrint ? m_trust[0][part] : 1.f;
+    tally.inner += std::abs(residual) < (isEdge ? m_innerAtEdge : m_inner) ? 1.f : 0.f;
+    tally.edges += isEdge ? 1.f : 0.f;
+    tally.cutOff += placed.isCutOff ? 1.f : 0.f;
+  }
+}
+
+// What the pixels that show a pattern say for it.
+WordEvidence::Told WordEvidence::toldBy(const Tally &tally) const
+{
+  const double count = tally.counted;
+  if (count < 1.) {
+    return {};
+  }
+  const double noise = m_pixels.getNoise();
+  const double seen = 1. - std::exp(-count / tellingPixels);
+  const double trust = tally.trusted / count;
+  const double told = trust * seen;
+  const double ofMean = std::sqrt(noise * noise / count + usualError * usualError);
+  const double ofCutOff = tally.cutOff / count; // share of the pixels that all brighter covers look like
+  const double chance = (1. - ofCutOff) * std::log(coverRange / (std::sqrt(2. * M_PI) * ofMean)) +
+                        ofCutOff * std::log(coverRange / m_cutOffRange);
+  const double quality = std::clamp((tally.inner / count - noneInner) / (allInner - noneInner), 0., 1.);
+  const double odds = std::max(0., chance) * quality;
+  const double shaped = 1. - std::exp(-static_cast<double>(tally.edges) / tellingPixels);
+  return {static_cast<float>(told * odds + (seen - told) * std::min(doubtful, odds) + quality * edgeOdds * shaped),
+          static_cast<float>(quality * seen * std::max(trust, shaped))};
+}
+
+void WordEvidence::weigh()
+{
+  std::array<std::array<Tally, patterns>, mostSectors> tallies{};
+  for (std::size_t i = 0; i < m_explained.size(); ++i) {
+    const Explained &placed = m_explained[i];
+    if (placed.isOnTrack && placed.byColours != 0) {
+      count(i, tallies[placed.sector]);
     }
   }
   for (unsigned int k = 0; k < m_sectors; ++k) {
     for (unsigned int pattern = 0; pattern < patterns; ++pattern) {
-      const double count = counted[k][pattern];
-      m_evidence[k][pattern] = 0.f;
-      m_told[k][pattern] = 0.f;
-      if (count < 1.) {
-        continue;
-      }
-      const double seen = 1. - std::exp(-count / tellingPixels);
-      const double trust = trusted[k][pattern] / count;
-      const double told = trust * seen;
-      const double ofMean = std::sqrt(noise * noise / count + usualError * usualError);
-      const double ofCutOff = cutOff[k][pattern] / count; // share of the pixels that all brighter covers look like
-      const double chance = (1. - ofCutOff) * std::log(coverRange / (std::sqrt(2. * M_PI) * ofMean)) +
-                            ofCutOff * std::log(coverRange / m_cutOffRange);
-      const double quality = std::clamp((inner[k][pattern] / count - noneInner) / (allInner - noneInner), 0., 1.);
-      const double odds = std::max(0., chance) * quality;
-      const double shaped = 1. - std::exp(-static_cast<double>(edges[k][pattern]) / tellingPixels);
-      m_evidence[k][pattern] =
-          static_cast<float>(told * odds + (seen - told) * std::min(doubtful, odds) + quality * edgeOdds * shaped);
-      m_told[k][pattern] = static_cast<float>(quality * seen * std::max(trust, shaped));
+      const Told told = toldBy(tallies[k][pattern]);
+      m_evidence[k][pattern] = told.odds;
+      m_told[k][pattern] = told.share;
     }
   }
 }

@@ -19,6 +19,7 @@
 #define VP_CIRCLE_MARKER_WORD_EVIDENCE_H
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "decode/cyclic_code.h"
@@ -90,19 +91,43 @@ public:
 private:
   using Pixel = TrackMemory::Pixel;
   using Explained = TrackMemory::Explained;
-  static constexpr unsigned int patterns = 32; //!< Of a sector and two to either side.
+  //! Colours of five sectors, 1 for black: bit 2 is the sector's own, bits 4 and 3 those of the two before it, bits 1
+  //! and 0 those of the two after it. Shifted by 1 - k they end with those of the sector k after it and its neighbours.
+  static constexpr unsigned int patterns = 32;
   using Table = std::array<std::array<float, patterns>, mostSectors>;
+
+  /*! Numbers of pixels of a sector that show a pattern. */
+  struct Tally
+  {
+    float counted = 0.f; //!< All.
+    float trusted = 0.f; //!< Each by how little it may be a cover.
+    float inner = 0.f;   //!< Those that show it to within the noise.
+    float edges = 0.f;   //!< Those on an edge, which no cover of one grey level has.
+    float cutOff = 0.f;  //!< Those as bright as the sensor can tell.
+  };
+
+  /*! What the pixels of a sector say for a pattern. */
+  struct Told
+  {
+    float odds = 0.f;  //!< ln, that what shows it is the print, not a cover.
+    float share = 0.f; //!< Share of the sector that is told.
+  };
 
   Explained placedAt(const Pixel &pixel, double phase) const;
   double misfitAt(double phase, CyclicCode::Word word) const;
   void findRangeOfCutOff();
   void findCover();
   void spreadTrust();
+  std::uint32_t patternsShownAt(std::size_t i) const;
+  void count(std::size_t i, std::array<Tally, patterns> &ofSector) const;
+  Told toldBy(const Tally &tally) const;
   void weigh();
 
   const TrackPixels &m_pixels;
   const unsigned int m_sectors;
   const float m_slack;
+  const float m_inner;       //!< What noise leaves of most pixels of a flat part, share of the contrast.
+  const float m_innerAtEdge; //!< The same at an edge.
   std::vector<Explained> &m_explained;
   std::array<std::array<int, mostSamples>, 2> m_cover;   //!< Pixels like paper (0), ink (1), by parts of sectors.
   std::array<std::array<float, mostSamples>, 2> m_trust; //!< In paper, in ink, by parts of sectors.

@@ -122,12 +122,6 @@ Eigen::Matrix3d conicFromEllipse(const EllipseParameters &ellipse)
   return Q / Q.norm();
 }
 
-Eigen::Matrix3d transformConic(const Eigen::Matrix3d &Q, const Eigen::Matrix3d &H)
-{
-  const Eigen::Matrix3d inverse = H.inverse();
-  return inverse.transpose() * Q.selfadjointView<Eigen::Upper>() * inverse;
-}
-
 double sampsonDistance(const Eigen::Matrix3d &Q, const Eigen::Vector2d &point)
 {
   const Eigen::Vector3d x(point.x(), point.y(), 1.);

@@ -63,9 +63,6 @@ std::optional<EllipseParameters> ellipseFromConic(const Eigen::Matrix3d &Q);
 /*! Conic of an ellipse: unit Frobenius norm, negative inside. */
 Eigen::Matrix3d conicFromEllipse(const EllipseParameters &ellipse);
 
-/*! Conic of the points x' = H x, for the points x of Q: H^-T Q H^-1. */
-Eigen::Matrix3d transformConic(const Eigen::Matrix3d &Q, const Eigen::Matrix3d &H);
-
 /*!
   Signed distance of a point to an ellipse to first order, \f$ F / |\nabla F| \f$ with \f$ F = {\bf x}^T {\bf Q}
   {\bf x} \f$ (P. Sampson, Fitting conic sections to "very scattered" data, CGIP 18 (1982)): positive outside for a

@@ -28,8 +28,8 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
 constexpr double step = 0.5; // pixel
-// How far from its inner edge the line is sought, pixels: that of the largest ring that is sought this way is 1.4 wide,
-// and the edge lies up to a blur inside of it.
+// How far from its inner edge the line is sought, pixels: that of the largest ring that is sought this way, of 32,
+// is 3.2 wide, and the edge lies up to a blur inside of it.
 constexpr double inReach = 4.;
 // The middle of the ring lies at 0.77 of the way from the sheet's centre to a side, at 0.55 of that to a corner.
 constexpr double sheetReach = 0.55;

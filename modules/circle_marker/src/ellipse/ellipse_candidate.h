@@ -37,7 +37,7 @@ struct SoughtCenters
 {
   bool bright = true;   //!< Markers with a white centre: rings, with a code or without.
   bool dark = true;     //!< Markers with a black centre: discs.
-  double thinRing = 0.; //!< Inner radius of the thinnest ring without a code, of the outer one; 0: none is sought.
+  double thinRing = 0.; //!< Inner radius of the thinnest ring that is sought, of the outer one; 0: none is.
 };
 
 /*! An ellipse with a dark band on its inside and the edge points found along it. */
@@ -48,7 +48,7 @@ struct EllipseCandidate
   std::vector<EdgePoint> points;                   //!< Along the ellipse, at most about one a pixel.
   double support = 0.;                             //!< Share of the ellipse along which an edge was found, in [0, 1].
   double contrast = 0.;                            //!< Median step from the dark band to the outside, grey levels.
-  bool isByLine = false;                           //!< Whether a thin ring's dark line was found, not its edge.
+  bool isThin = false; //!< Whether it was found as a thin ring: by its dark line, its sheet or its two ends.
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -109,7 +109,7 @@ struct EllipseSearch
   const Deadline &deadline;
   EllipseMemory &memory;
 
-  /*! Whether most of a run of points lies on an outline that is known at the other scale. */
+  /*! Whether most of a run of points lies on an outline that is known at another scale. */
   bool isKnownElsewhere(const EdgePoint *points, std::size_t count) const;
 
   /*! Notes why a run of points gives no outline, if that is to be shown. */

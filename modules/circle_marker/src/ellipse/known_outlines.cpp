@@ -56,13 +56,13 @@ void KnownOutlines::reset(int width, int height)
   m_large.clear();
 }
 
-int KnownOutlines::find(const EllipseParameters &ellipse, bool isByLine) const
+int KnownOutlines::find(const EllipseParameters &ellipse, bool isThin) const
 {
   int same = -1;
   const auto isSame = [&](int number) {
     const EllipseCandidate &known = outlines[static_cast<std::size_t>(number)];
     const bool isOne =
-        known.isByLine == isByLine
+        known.isThin == isThin
             ? isSameOutline(known.ellipse, ellipse)
             : isWithin(pixelByLine + sameByLine * std::min(known.ellipse.b, ellipse.b), known.ellipse, ellipse);
     if (isOne) {
@@ -80,12 +80,11 @@ int KnownOutlines::find(const EllipseParameters &ellipse, bool isByLine) const
 
 bool KnownOutlines::take(EllipseCandidate &candidate)
 {
-  int number = find(candidate.ellipse, candidate.isByLine);
+  int number = find(candidate.ellipse, candidate.isThin);
   const bool isNew = number < 0;
   if (!isNew) {
     EllipseCandidate &known = outlines[static_cast<std::size_t>(number)];
-    const bool isBetter =
-        candidate.isByLine == known.isByLine ? candidate.support > known.support : !candidate.isByLine;
+    const bool isBetter = candidate.isThin == known.isThin ? candidate.support > known.support : !candidate.isThin;
     if (!isBetter) {
       return false;
     }

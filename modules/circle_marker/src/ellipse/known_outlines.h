@@ -44,8 +44,8 @@ public:
   */
   bool take(EllipseCandidate &candidate);
 
-  /*! Whether an outline of these axes is known; isByLine: whether they were found by a dark line. */
-  bool hasSame(const EllipseParameters &ellipse, bool isByLine = false) const { return find(ellipse, isByLine) >= 0; }
+  /*! Whether an outline of these axes is known; isThin: whether they were found by a dark line. */
+  bool hasSame(const EllipseParameters &ellipse, bool isThin = false) const { return find(ellipse, isThin) >= 0; }
 
   /*!
     Whether most of the points lie on an outline that is known.
@@ -62,7 +62,7 @@ public:
   ReusedList<EllipseCandidate> outlines; //!< All of them. Sorting them is the end of this index.
 
 private:
-  int find(const EllipseParameters &ellipse, bool isByLine) const;
+  int find(const EllipseParameters &ellipse, bool isThin) const;
   bool liesOn(const EllipseCandidate &known, const EdgePoint *points, std::size_t count, double scale,
               double shift) const;
 

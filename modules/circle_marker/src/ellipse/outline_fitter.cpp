@@ -149,7 +149,7 @@ EllipseReject OutlineFitter::fit(const vpImage<unsigned char> &I, const Gradient
                                  std::size_t count, bool isWhole, const SoughtCenters &sought,
                                  EllipseCandidate &candidate)
 {
-  candidate.isByLine = false;
+  candidate.isThin = false;
   // A whole outline is fitted well enough at once; an arc's direct fit is too small.
   if (!fitPoints(points, count, candidate, isWhole ? directFit : roughFit) ||
       candidate.ellipse.a > I.getWidth() + I.getHeight()) {
@@ -175,7 +175,7 @@ EllipseReject OutlineFitter::fitJoined(const vpImage<unsigned char> &I, const Gr
                                        const EdgePoint *points, std::size_t count, double length,
                                        const SoughtCenters &sought, EllipseCandidate &candidate)
 {
-  candidate.isByLine = false;
+  candidate.isThin = false;
   if (!fitPoints(points, count, candidate, directFit)) {
     return EllipseReject::NOT_AN_ELLIPSE;
   }
@@ -197,7 +197,7 @@ EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const 
                                          const EdgePoint *points, std::size_t count, ThinRing kind, double ringInner,
                                          EllipseCandidate &candidate)
 {
-  candidate.isByLine = true;
+  candidate.isThin = true;
   candidate.points.reserve(mostSamples);
   const double rise = riseBesideLine(gradient);
   if (kind == ThinRing::BY_SHEETS_SHAPE) {
@@ -234,7 +234,7 @@ EllipseReject OutlineFitter::fitThinRing(const vpImage<unsigned char> &I, const 
 EllipseReject OutlineFitter::fitEnds(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,
                                      std::size_t count, const SoughtCenters &sought, EllipseCandidate &candidate)
 {
-  candidate.isByLine = true;
+  candidate.isThin = true;
   candidate.points.reserve(mostSamples);
   if (!fitPoints(points, count, candidate)) {
     return EllipseReject::NOT_AN_ELLIPSE;
@@ -288,7 +288,7 @@ EllipseReject OutlineFitter::follow(const vpImage<unsigned char> &I, const Gradi
                                     const EllipseParameters &expected, const SoughtCenters &sought,
                                     EllipseCandidate &candidate)
 {
-  candidate.isByLine = false;
+  candidate.isThin = false;
   candidate.ellipse = expected;
   candidate.conic = conicFromEllipse(expected);
   return complete(I, gradient, sought, candidate);

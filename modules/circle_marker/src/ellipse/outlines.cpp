@@ -132,7 +132,7 @@ void addReduced(const Enlargement &enlarged, const SoughtCenters &sought, Worker
     if (outline.ellipse.b < leastReducedSemiMinor) {
       reason = EllipseReject::TOO_SHORT;
     }
-    else if (known.hasSame(enlarged(outline.ellipse), outline.isByLine)) {
+    else if (known.hasSame(enlarged(outline.ellipse), outline.isThin)) {
       reason = EllipseReject::KNOWN_OUTLINE;
     }
     if (reason == EllipseReject::NONE) {

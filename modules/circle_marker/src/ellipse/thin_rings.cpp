@@ -24,8 +24,8 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Longer closed edges are not the inside of a ring that is too thin to have an outer edge: one of 22 pixels at 60
-// degrees has 100 around its inside.
+// Longer closed edges are not the inside of a ring that is too thin to have an outer edge: one with a minor axis of 22
+// pixels at 60 degrees has 100 around its inside. (Wider ones, up to 32, are sought where they face the camera more.)
 constexpr std::size_t longestThinRing = 100;
 // Nor is one longer than this the edge of its sheet; nor than this that of a sheet so narrow that its shape alone tells
 // where the ring is, which may be one of 75 pixels, 7 wide.

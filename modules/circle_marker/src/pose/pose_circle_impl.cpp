@@ -111,13 +111,15 @@ void vpPoseCircle::Impl::setEllipse(const CenteredEllipse &ellipse)
   m_ellipse = ellipse;
 }
 
-void vpPoseCircle::Impl::addPoint(const Eigen::Vector2d &point)
+void vpPoseCircle::Impl::addPoints(const std::vector<Eigen::Vector2d> &points)
 {
-  if (!point.allFinite()) {
-    refuse("a contour point is not finite");
+  for (const Eigen::Vector2d &point : points) {
+    if (!point.allFinite()) {
+      refuse("a contour point is not finite");
+    }
   }
   m_ellipse.reset();
-  m_points.push_back(point);
+  m_points.insert(m_points.end(), points.begin(), points.end());
 }
 
 CenteredEllipse vpPoseCircle::Impl::ellipse() const

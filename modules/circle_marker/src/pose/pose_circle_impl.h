@@ -64,7 +64,7 @@ public:
   void setEllipse(const circle_marker::CenteredEllipse &ellipse);
 
   //! Replaces the measured ellipse.
-  void addPoint(const Eigen::Vector2d &point);
+  void addPoints(const std::vector<Eigen::Vector2d> &points);
 
   //! The measured ellipse, or the one fitted to the points; throws if there is none.
   circle_marker::CenteredEllipse ellipse() const;

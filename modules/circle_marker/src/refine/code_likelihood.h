@@ -19,12 +19,13 @@
   \file code_likelihood.h
   \brief The likelihood of all codewords at a measured pose.
 
-  Once pose, light and blur are measured, the grey level of a pixel of the code track is linear in the colours c_k of
-  the sectors, 1 for black: \f[ I = L (1 - \kappa (D_0 + \sum_k w_k c_k)), \f] with D_0 the black of the ring and w_k
-  the share of the pixel's blurred sight that sector k has. With noise of standard deviation s the squared residuals of
-  a codeword are a quadratic form of its bits, over 2 s^2 its negative log likelihood. Where sectors are as small as the
-  blur each pixel sees several of them, and reading them one by one takes the mixture of two for one; among codewords
-  there is one that mixes to what is seen, and the next one says how sure that is.
+  Once pose, light, gamma and blur are measured, the black that a pixel of the code track sees, with gamma undone
+  (Photometry::blackOf()), is linear in the colours c_k of the sectors, 1 for black:
+  \f[ D = D_0 + \sum_k w_k c_k, \f] with D_0 the black of the ring and w_k the share of the pixel's blurred sight that
+  sector k has. With noise of standard deviation s the squared residuals of a codeword are a quadratic form of its bits,
+  over 2 s^2 its negative log likelihood. Where sectors are as small as the blur each pixel sees several of them, and
+  reading them one by one takes the mixture of two for one; among codewords there is one that mixes to what is seen, and
+  the next one says how sure that is.
 */
 
 #ifndef VP_CIRCLE_MARKER_CODE_LIKELIHOOD_H

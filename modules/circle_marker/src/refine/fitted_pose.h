@@ -57,13 +57,13 @@ struct FitSettings
 {
   bool spinIsKnown = true; //!< Whether the code fixes the spin: else it stays as it is.
   std::optional<Shadow>
-      shadow;              //!< Where a fit without photometry starts with the shadow on the marker, if there is one.
-  bool growth = true;      //!< Whether black may look larger than designed, by ink or gamma.
-  bool bend = false;       //!< Whether the sheet may be bent.
-  bool exactBends = true;  //!< Whether edges that bend strongly are corrected (correctBends()).
-  double poseError = 1.;   //!< How far a fit may go until its pixels are sorted anew, pixels.
-  int bordersSeen = 5;     //!< Borders between sectors that a pixel may see at most: 1, 3 or 5.
-  int mostIterations = 25; //!< Levenberg-Marquardt steps; 0 only evaluates the start.
+      shadow;                 //!< Where a fit without photometry starts with the shadow on the marker, if there is one.
+  bool gammaAndSpread = true; //!< Whether gamma and the ink's spread, which make black look larger, are fitted.
+  bool bend = false;          //!< Whether the sheet may be bent.
+  bool exactBends = true;     //!< Whether edges that bend strongly are corrected (correctBends()).
+  double poseError = 1.;      //!< How far a fit may go until its pixels are sorted anew, pixels.
+  int bordersSeen = 5;        //!< Borders between sectors that a pixel may see at most: 1, 3 or 5.
+  int mostIterations = 25;    //!< Levenberg-Marquardt steps; 0 only evaluates the start.
   //! A step is the last when what it leaves of the way is expected to be less than this share of a standard deviation.
   double convergence = 0.15;
   std::optional<Rival> rival; //!< Who a fit has to be better than to go on.

@@ -146,7 +146,7 @@ struct Darkness
   Eigen::Vector3d byBend = Eigen::Vector3d::Zero();       //!< By the bow and the saddle of the sheet (SheetBend).
 };
 
-/*! Evaluates the model at one pixel. */
+/*! Evaluates the model at one pixel: tests look at it so; fits take blocks of pixels, with ImageModel. */
 Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern,
                     const BlurParameters &blur);
 } // namespace CIRCLE_MARKER_LANES

@@ -270,8 +270,8 @@ void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry
 double Likelihood::priorCost(const MarkerPlane &plane, const Photometry &photometry, double noise) const
 {
   const double u =
-      m_settings.growth && !m_isOverExposed ? std::log(photometry.gamma) / gammaPriorAt(photometry.blur) : 0.;
-  const double v = m_settings.growth ? photometry.blur.spread / spreadPrior : 0.;
+      m_settings.gammaAndSpread && !m_isOverExposed ? std::log(photometry.gamma) / gammaPriorAt(photometry.blur) : 0.;
+  const double v = m_settings.gammaAndSpread ? photometry.blur.spread / spreadPrior : 0.;
   const double w = (plane.bend.bow * plane.bend.bow + plane.bend.saddle.squaredNorm()) / (bendPrior * bendPrior);
   double cost = u * u + v * v + w + cauchyCost(photometry.blur.elongation, elongationPrior) +
                 cauchyCost(photometry.lightGradient, gradientPrior);
@@ -302,7 +302,7 @@ void Likelihood::constrain(const MarkerPlane &plane, const Photometry &photometr
     equations.matrix(at, at) = 1.;
     equations.right[at] = 0.;
   };
-  if (m_settings.growth) {
+  if (m_settings.gammaAndSpread) {
     const double weight = std::pow(noise / gammaPriorAt(photometry.blur), 2.);
     equations.matrix(gammaAt, gammaAt) += weight;
     equations.right[gammaAt] -= weight * std::log(photometry.gamma);
@@ -313,7 +313,7 @@ void Likelihood::constrain(const MarkerPlane &plane, const Photometry &photometr
   else {
     hold(spreadAt);
   }
-  if (!m_settings.growth || m_isOverExposed) {
+  if (!m_settings.gammaAndSpread || m_isOverExposed) {
     hold(gammaAt);
   }
   if (!m_settings.spinIsKnown) {

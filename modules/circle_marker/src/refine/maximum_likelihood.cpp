@@ -279,7 +279,7 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
                      const Photometry &surround, double noise, bool exactBends, FitMemory &memory)
 {
   FitSettings settings;
-  settings.growth = false;
+  settings.gammaAndSpread = false;
   settings.exactBends = exactBends;
   Likelihood likelihood(pattern, settings, memory);
   if (!likelihood.keepPixels(pixels, fit.plane, surround, noise, 0.)) {

@@ -17,8 +17,10 @@
 
 #include "refine/measure.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "refine/bent_sheet.h"
 #include "refine/coarse_fits.h"
@@ -186,6 +188,68 @@ double costOf(double squares, double noise)
 {
   return squares / (2. * noise * noise);
 }
+
+FitSettings settingsFor(const MarkerInImage &view, const MarkerPattern &pattern, const Deadline &deadline)
+{
+  const Recognition &marker = view.marker;
+  FitSettings settings;
+  settings.spinIsKnown = pattern.sectors > 0;
+  settings.poseError = fineError;
+  settings.deadline = deadline;
+  if (!marker.isCertain) {
+    settings.mostIterations = mostIterationsInDoubt;
+  }
+  settings.gammaAndSpread = pattern.ringEdges > 1; // the size of a lone disc cannot be told from them
+  settings.isClear = marker.isCertain && !marker.seen && view.frame.size > leastHopelessSize;
+  if (!marker.seen) { // what covers a marker looks like the edge of a shadow
+    settings.shadow = shadowOn(view.I, view.camera, view.frame, marker.poses[0], marker.family.getLayout().quietZone);
+  }
+  return settings;
+}
+
+// The log-odds of poses that are not refined. Each leaves more than at its minimum beside it, by the decrement k, by
+// chance: as much as that varies, a variance of k^2, is added to that of the log-odds D, which is 2 D.
+double unrefinedOdds(double odds, const FittedPose &first, double noise)
+{
+  const double k = costOf(first.decrement, noise);
+  return 2. * odds * odds / std::max(2. * odds + k * k, 1e-9);
+}
+
+// A second pose that is not refined.
+struct GivenUp
+{
+  FittedPose fit;
+  double moreCost = 0.; // than that of the first
+};
+
+// Takes the second coarse fit out if few pixels say enough against it: all of them would say more.
+std::optional<GivenUp> giveUpHopeless(const MarkerInImage &view, RankedFits &coarse)
+{
+  Few<FittedPose> &fits = coarse.fits;
+  if (fits.size() < 2 || view.frame.size <= leastHopelessSize || !isHopeless(fits[1], fits[0], coarse.noise)) {
+    return std::nullopt;
+  }
+  const GivenUp givenUp = {fits[1], costOf(fits[1].squares - fits[0].squares, coarse.noise)};
+  fits.pop_back();
+  return givenUp;
+}
+
+Measurement measurementOf(const RankedFits &ranked, const std::optional<GivenUp> &givenUp)
+{
+  const Few<FittedPose> &fits = ranked.fits;
+  Measurement result;
+  result.first = fits[0];
+  result.cost = costOf(fits[0].squares, ranked.noise);
+  if (fits.size() > 1 && !isSamePose(fits[0], fits[1])) {
+    result.second = fits[1];
+    result.cost2 = costOf(fits[1].squares, ranked.noise);
+  }
+  else if (givenUp) {
+    result.second = givenUp->fit;
+    result.cost2 = result.cost + givenUp->moreCost;
+  }
+  return result;
+}
 } // namespace
 
 ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera)
@@ -202,56 +266,28 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   if (marker.darkness) {
     pattern.darkness = *marker.darkness;
   }
-  FitSettings settings;
-  settings.spinIsKnown = pattern.sectors > 0;
-  settings.poseError = fineError;
-  settings.deadline = deadline;
-  if (!marker.isCertain) {
-    settings.mostIterations = mostIterationsInDoubt;
-  }
-  settings.growth = pattern.ringEdges > 1; // the size of a lone disc cannot be told from a growth of its black
   const MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
-  settings.isClear = marker.isCertain && !marker.seen && view.frame.size > leastHopelessSize;
-  if (!marker.seen) { // what covers a marker looks like the edge of a shadow
-    settings.shadow = shadowOn(I, camera, view.frame, marker.poses[0], marker.family.getLayout().quietZone);
-  }
-
+  const FitSettings settings = settingsFor(view, pattern, deadline);
   RankedFits ranked = marker.ring && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
   if (refine && !marker.isCertain && !ranked.fits.empty() && ranked.fits[0].correlation < leastCorrelationInDoubt) {
     return std::nullopt;
   }
-  // A pose that few pixels say enough against is not refined: all of them would say more.
-  std::optional<FittedPose> hopeless;
-  double hopelessCost = 0.;
+  std::optional<GivenUp> givenUp;
   if (refine && !ranked.fits.empty()) {
-    Few<FittedPose> &fits = ranked.fits;
-    if (fits.size() > 1 && view.frame.size > leastHopelessSize && isHopeless(fits[1], fits[0], ranked.noise)) {
-      hopeless = fits[1];
-      hopelessCost = costOf(fits[1].squares - fits[0].squares, ranked.noise);
-      fits.pop_back();
-    }
+    givenUp = giveUpHopeless(view, ranked);
     ranked = fitAllPixels(view, ranked, settings, pattern, memory);
     const bool mayBend = !marker.seen && !marker.darkness && pattern.sectors > 0;
     if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && mayBend) {
       ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
     }
   }
-  const Few<FittedPose> &fits = ranked.fits;
   // The fit that was stopped may be that of the better pose.
-  if (fits.empty() || deadline.hasPassed() || !isExplained(fits[0], view, pattern.sectors > 0, refine)) {
+  if (ranked.fits.empty() || deadline.hasPassed() || !isExplained(ranked.fits[0], view, pattern.sectors > 0, refine)) {
     return std::nullopt;
   }
-
-  auto result = std::make_optional<Measurement>();
-  result->first = fits[0];
-  result->cost = costOf(fits[0].squares, ranked.noise);
-  if (fits.size() > 1 && !isSamePose(fits[0], fits[1])) {
-    result->second = fits[1];
-    result->cost2 = costOf(fits[1].squares, ranked.noise);
-  }
-  else if (hopeless) {
-    result->second = *hopeless;
-    result->cost2 = result->cost + hopelessCost;
+  Measurement result = measurementOf(ranked, givenUp);
+  if (!refine && result.second) {
+    result.cost2 = result.cost + unrefinedOdds(result.cost2 - result.cost, result.first, ranked.noise);
   }
   return result;
 }

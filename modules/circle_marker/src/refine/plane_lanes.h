@@ -12,12 +12,12 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * From pixels to the marker's plane, eight at a time.
+ * From pixels to the marker's plane, eight or sixteen at a time.
  */
 
 /*!
   \file plane_lanes.h
-  \brief From pixels to the marker's plane, eight at a time.
+  \brief From pixels to the marker's plane, eight or sixteen at a time.
 */
 
 #ifndef VP_CIRCLE_MARKER_PLANE_LANES_H

@@ -35,7 +35,7 @@ constexpr int stepY[8] = {0, 1, 1, 1, 0, -1, -1, -1};
 // Two neighbouring pixels of one edge differ in gradient direction by less than 60 degrees (cos^2 = 1/4), even on the
 // tightest bend of a small oblique ring; the two edges of a thin line differ by 180.
 constexpr std::int64_t leastSquaredCosineInverse = 4;
-// A loop of fewer pixels than this is noise, and a chain closes on its start within this many pixels.
+// A chain closes on its start within this many pixels.
 constexpr int closingDistance = 2;
 // Bits of EdgeChains::visited.
 constexpr std::uint8_t noStart = 1; // no chain starts here any more: one has passed here or beside

@@ -221,7 +221,15 @@ void writeDatabase(const std::string &filename, const vpCircleMarkerDatabase &da
   // A line for each marker, so that the lines of errors say which.
   std::string text = "{\n  \"markers\": [";
   for (const vpCircleMarkerEntry &entry : database.getEntries()) {
-    text += (text.back() == '[' ? "\n    " : ",\n    ") + written(entry).dump();
+    try {
+      text += (text.back() == '[' ? "\n    " : ",\n    ") + written(entry).dump();
+    }
+    catch (const nlohmann::json::exception &e) {
+      throw vpException(vpException::badValue,
+                        "cannot write the marker database \"%s\": of %s the name and the payload must be UTF-8, and a "
+                        "payload that is said to be JSON must be: %s",
+                        filename.c_str(), describe(entry.family, entry.id).c_str(), e.what());
+    }
   }
   text += "\n  ]\n}\n";
   if (!writeWhole(filename, text)) {

@@ -129,6 +129,10 @@ private:
   }
   bool open(JsonNode::Kind kind)
   {
+    constexpr std::size_t deepest = 100; // a tree is gone through by functions that call themselves
+    if (m_open.size() >= deepest) {
+      refuseAtLine(m_line, "lists and objects are nested more than " + std::to_string(deepest) + " deep; flatten them");
+    }
     // Only the last child of an open node grows: the pointers to those above stay good.
     m_open.push_back(&place(kind));
     return true;

@@ -26,6 +26,8 @@
 #include <thread>
 #include <vector>
 
+#include <visp3/core/vpException.h>
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
@@ -53,22 +55,21 @@ class Workers::Team
 public:
   explicit Team(unsigned int others)
   {
-    for (unsigned int i = 1; i <= others; ++i) {
-      m_threads.emplace_back([this, i]() { serve(i); });
+    try {
+      for (unsigned int i = 1; i <= others; ++i) {
+        m_threads.emplace_back([this, i]() { serve(i); });
+      }
+    }
+    catch (const std::exception &) { // of std::thread, or of memory: those that run would end the program
+      const auto threads = static_cast<unsigned long>(m_threads.size() + 1);
+      end();
+      throw vpException(vpException::fatalError,
+                        "of %lu threads only %lu can be had; ask for fewer, or raise the limit of the system",
+                        static_cast<unsigned long>(others) + 1, threads);
     }
   }
 
-  ~Team()
-  {
-    {
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      m_isOver = true;
-    }
-    m_hasWork.notify_all();
-    for (std::thread &thread : m_threads) {
-      thread.join();
-    }
-  }
+  ~Team() { end(); }
 
   void share(std::size_t tasks, Call call, const void *task)
   {
@@ -95,6 +96,18 @@ public:
   }
 
 private:
+  void end()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      m_isOver = true;
+    }
+    m_hasWork.notify_all();
+    for (std::thread &thread : m_threads) {
+      thread.join();
+    }
+  }
+
   void serve(unsigned int worker)
   {
     unsigned long served = 0;

@@ -101,7 +101,7 @@ void MarkerTracks::clear()
   m_tracks.clear();
 }
 
-void MarkerTracks::follow(const std::vector<SeenMarker> &seen, int width, int height)
+void MarkerTracks::follow(const std::vector<SeenMarker> &seen, int width, int height, bool isCutShort)
 {
   m_width = width;
   m_height = height;
@@ -122,6 +122,13 @@ void MarkerTracks::follow(const std::vector<SeenMarker> &seen, int width, int he
       track.growth = marker.outline.a - nearest->marker.outline.a;
     }
     m_tracks.push_back(track);
+  }
+  for (Track &old : m_before) {
+    const auto isOld = [&old](const SeenMarker &marker) { return old.mayBe(marker); };
+    if (isCutShort && std::none_of(seen.begin(), seen.end(), isOld)) {
+      old.marker.outline = old.expected();
+      m_tracks.push_back(old);
+    }
   }
 }
 

@@ -63,8 +63,9 @@ public:
     Takes note of the markers of an image, all of them: those that are not among them are forgotten.
     \param seen : The markers.
     \param width, height : Of the image, pixels.
+    \param isCutShort : Whether there was no time to look for all: then those that were not seen are still expected.
   */
-  void follow(const std::vector<SeenMarker> &seen, int width, int height);
+  void follow(const std::vector<SeenMarker> &seen, int width, int height, bool isCutShort = false);
 
   /*!
     Where to look in the next image. No two of the boxes touch, and their corners are multiples of eight pixels, so that

@@ -24,6 +24,7 @@
 
 #include "../arguments.h"
 #include "../numbered_name.h"
+#include "../parse.h"
 #include "firewire_camera.h"
 #include "opencv_camera.h"
 #include "recording.h"
@@ -140,7 +141,7 @@ void CameraOptions::addTo(CLI::App &app, const std::string &more)
   app.add_option("--framerate", framerate,
                  "FireWire: 1.875, 3.75, 7.5, 15, 30, 60, 120 or 240 images per second; OpenCV: any; "
                  "a recording: pace at which it is shown")
-      ->check(CLI::PositiveNumber);
+      ->check(positiveNumber());
   app.add_option("--format7-roi", region, "FireWire, Format7: region left,top,width,height, pixels");
   app.add_option("--color-coding", colorCoding, "FireWire, Format7: mono8, mono16, yuv422, rgb8, raw8, ...");
   app.add_option("--shutter", shutter, "FireWire: auto, or a number in the camera's own units");

@@ -58,6 +58,7 @@ struct VISP_EXPORT vpCircleMarkerCandidate
   int id = -1;                                              //!< The nearest codeword's; -1 without one.
   unsigned int hamming = 0;                                 //!< How many sectors it corrects.
   double margin = 0.;                                       //!< Decision margin: see getMargin().
+  bool isInverse = false;                                   //!< Whether it was seen in the negative: white on black.
 
   std::string getText() const;
 };
@@ -79,9 +80,10 @@ struct vpCircleMarkerDebug
     double leastStep = 0.;                         //!< Step of an edge that continues one, grey levels.
     vpImage<unsigned char> edges;                  //!< 2 where a chain may start, 1 where it may go on, 0 elsewhere.
     std::vector<std::vector<vpImagePoint>> chains; //!< Chains of edge pixels, pixels of the image.
+    bool isInverse = false;                        //!< Whether it is of the negative, for markers white on black.
   };
 
-  std::vector<Scale> scales;                       //!< Full size, half, quarter, of each region that was searched.
+  std::vector<Scale> scales; //!< Full size, half, quarter, of each region that was searched, and of the negative.
   std::vector<vpCircleMarkerCandidate> candidates; //!< In the order in which the rooms settle them; markers, too.
 };
 

@@ -47,7 +47,7 @@ enum class vpCircleMarkerReject
   LITTLE_SUPPORT,  //!< Too small a part of the ellipse has an edge in the image.
   NOT_DARK_INSIDE, //!< There is no dark band along the inside of the ellipse.
   OTHER_CENTER,    //!< Its centre is not as bright, or as dark, as that of the markers sought.
-  KNOWN_OUTLINE,   //!< An outline that another chain, or the other scale of the image, has given already.
+  KNOWN_OUTLINE,   //!< An outline that another chain, or another scale of the image, has given already.
   // An outline that is no marker of a family
   NO_POSE,            //!< No circle in front of the camera has this image.
   INSIDE_OF_A_MARKER, //!< A piece of a marker that was found: its ring again, or a sector of its code.

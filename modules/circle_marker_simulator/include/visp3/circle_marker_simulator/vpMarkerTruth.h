@@ -62,8 +62,9 @@ struct vpMarkerTruth
   vpImagePoint center;                   //!< Image of the marker's origin, in pixels.
   double tilt = 0.;                      //!< Angle between the normal and the line of sight, in radians.
   std::optional<vpEllipseTruth> ellipse; //!< Image of the outer edge of a circular marker.
-  double visibleEdge = 1.;               //!< Share of the outer edge (by length on the marker) that is in the image.
-  double coveredArea = 0.;               //!< Share of the marker's image that is covered or outside of the frame.
+  double visibleEdge =
+      1.; //!< Share of the outer edge (by length on the marker) that is seen: in the image, not covered.
+  double coveredArea = 0.; //!< Share of the marker's image that is covered or outside of the frame.
 };
 
 END_VISP_NAMESPACE

@@ -1,0 +1,103 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Test of what the detector says of poses that it does not refine: setRefinePose(false).
+ */
+
+#include "detector_scenes.h"
+
+#include <algorithm>
+
+using namespace detector_test;
+
+namespace {
+// Mean squared error over variance, of depth and normal; wrong poses that are said to be right by e^10.
+struct Honesty
+{
+  double depth = 0.;
+  double normal = 0.;
+  unsigned int found = 0;
+  unsigned int sureAndWrong = 0;
+  unsigned int sure = 0;
+};
+
+Honesty honestyOf(const vpCircleMarkerFamily &family, double diameter, Random &random)
+{
+  constexpr int images = 80;
+  constexpr double sureOdds = 10.;
+  vpDetectorCircleMarker detector(family);
+  detector.setZAlignedWithCameraAxis(true);
+  detector.setRefinePose(false);
+  Honesty honesty;
+  unsigned int right = 0;
+  for (int i = 0; i < images; ++i) {
+    const vpHomogeneousMatrix truth = randomPose(random, diameter, uniform(random, 0.2, 1.2));
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    simulator.setBackground(vpSceneBackground::plain(uniform(random, 30., 230.)));
+    simulator.addMarker(printed(family, randomId(random, family)).setPose(truth));
+    vpImage<unsigned char> I;
+    simulator.render(I, random());
+    std::vector<vpHomogeneousMatrix> cMo;
+    if (!detector.detect(I, size, straightCamera(), cMo)) {
+      continue;
+    }
+    ++honesty.found;
+    const vpCircleMarkerDetection &found = detector.getDetections()[0];
+    const Eigen::Vector3d normal = rotationOf(truth).col(2);
+    const bool isWrong =
+        found.hasSecondPose && rotationOf(found.cMo2).col(2).dot(normal) > rotationOf(found.cMo).col(2).dot(normal);
+    honesty.sure += found.logOdds > sureOdds ? 1 : 0;
+    honesty.sureAndWrong += isWrong && found.logOdds > sureOdds ? 1 : 0;
+    if (isWrong) {
+      continue; // it has its own covariance, and the odds say so
+    }
+    // Of the depth, t_z = v_z + (w x C)_z; of the normal, the turns across it.
+    Eigen::Matrix<double, 6, 6> C;
+    for (unsigned int row = 0; row < 6; ++row) {
+      for (unsigned int column = 0; column < 6; ++column) {
+        C(row, column) = found.covariance[row][column];
+      }
+    }
+    Eigen::Matrix<double, 6, 1> byDepth;
+    byDepth << 0., 0., 1., cMo[0][1][3], -cMo[0][0][3], 0.;
+    const Eigen::Matrix3d R = rotationOf(cMo[0]);
+    const Eigen::Vector3d turned = R.transpose() * R.col(2).cross(normal);
+    const Eigen::Matrix2d turns = (R.transpose() * C.bottomRightCorner<3, 3>() * R).topLeftCorner<2, 2>();
+    honesty.depth += std::pow(truth[2][3] - cMo[0][2][3], 2.) / byDepth.dot(C * byDepth);
+    honesty.normal += turned.head<2>().dot(turns.inverse() * turned.head<2>()) / 2.;
+    ++right;
+  }
+  honesty.depth /= right;
+  honesty.normal /= right;
+  return honesty;
+}
+} // namespace
+
+TEST(DetectorUnrefined, CovarianceAndOddsAreThoseOfTheClosedForm)
+{
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING}) {
+    for (const double diameter : {20., 35., 70., 150.}) {
+      const Honesty honesty = honestyOf(type, diameter, random);
+      // At most twice as far off as said; the refined pose's covariance is a hundredth of this.
+      EXPECT_LT(honesty.depth, 4.) << diameter;
+      EXPECT_LT(honesty.normal, 4.) << diameter;
+      EXPECT_GT(honesty.depth, 0.02) << diameter;
+      EXPECT_GT(honesty.normal, 0.02) << diameter;
+      EXPECT_GT(honesty.found, 60u) << diameter;
+      EXPECT_LE(honesty.sureAndWrong, 1u) << diameter;
+      EXPECT_TRUE(diameter < 100. || honesty.sure > 60u) << honesty.sure;
+    }
+  }
+}
