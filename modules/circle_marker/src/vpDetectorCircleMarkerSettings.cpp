@@ -119,7 +119,8 @@ void vpDetectorCircleMarker::setNbThreads(unsigned int threads)
 
 /*!
   \param refine : Whether poses are refined on the grey levels around the marker's edges (the default), or left as the
-  closed form of vpPoseCircle gives them, which takes less time.
+  closed form of vpPoseCircle gives them, which takes less time. Their errors are then up to a hundred times as large, and
+  the mirrored pose comes first more often; the covariance and the log-odds say so.
 */
 void vpDetectorCircleMarker::setRefinePose(bool refine)
 {
