@@ -386,6 +386,7 @@ TEST(DetectorProgram, WrongArgumentsEndWithTwo)
       reference(""),
       reference("img%d.png", {"--first", "5", "--last", "4"}),
       reference("@list.txt", {"--first", "5"}),
+      reference(referencePicture, {"--last", "5"}),
       reference("img%d.png", {"--overlay", "one-name.png"}),
       {"--input", referencePicture, "--intrinsic", data + "/camera.xml", "--camera-name", "Camera", "--size", "0"},
   };

@@ -134,7 +134,7 @@ TEST(Workers, WhatATaskThrowsComesToTheCaller)
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST(Workers, ThreadsThatCannotBeHadAreAnException)
 {
-  ::testing::FLAGS_gtest_death_test_style = "threadsafe";
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto tooMany = [] {
     rlimit limit = {std::size_t(1) << 30, std::size_t(1) << 30}; // bytes; a thread's stack takes 8 MB
     setrlimit(RLIMIT_AS, &limit);

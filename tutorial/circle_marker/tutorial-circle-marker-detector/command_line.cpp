@@ -30,11 +30,7 @@ void check(const Order &order)
   if (order.first && order.last && *order.first > *order.last) {
     throw UsageError("--first is after --last; exchange them");
   }
-  const bool isList = order.input.front() == '@';
-  if (isList && (order.first || order.last)) {
-    throw UsageError("--first and --last choose from a pattern or a video; take the lines you want from the list");
-  }
-  const bool isSequence = isList || NumberedName::parse(order.input);
+  const bool isSequence = order.input.front() == '@' || NumberedName::parse(order.input);
   if (!order.overlay.empty() && isSequence && !NumberedName::parse(order.overlay)) {
     throw UsageError("--overlay names one picture for many images; use a number in the name, overlay-%04d.png");
   }

@@ -29,6 +29,7 @@
 #include <visp3/io/vpImageIo.h>
 #include <visp3/io/vpVideoReader.h>
 
+#include "../arguments.h"
 #include "../numbered_name.h"
 
 namespace fs = std::filesystem;
@@ -201,7 +202,13 @@ std::vector<Entry> listedFiles(const std::string &list)
 
 std::unique_ptr<ImageSource> openSource(const std::string &input, std::optional<long> first, std::optional<long> last)
 {
+  const auto refuseNumbers = [&](const std::string &what) {
+    if (first || last) {
+      throw UsageError("--first and --last choose from a pattern or a video; " + what + " takes neither");
+    }
+  };
   if (!input.empty() && input.front() == '@') {
+    refuseNumbers("a list");
     return std::make_unique<FileSource>(listedFiles(input.substr(1)));
   }
   const std::optional<NumberedName> pattern = NumberedName::parse(input);
@@ -214,6 +221,7 @@ std::unique_ptr<ImageSource> openSource(const std::string &input, std::optional<
   if (isVideo(input)) {
     return std::make_unique<VideoSource>(input, first.value_or(0), last.value_or(std::numeric_limits<long>::max()));
   }
+  refuseNumbers("an image");
   return std::make_unique<FileSource>(std::vector<Entry>{{input, 0}});
 }
 } // namespace tutorial

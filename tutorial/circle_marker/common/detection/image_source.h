@@ -63,6 +63,7 @@ public:
   \param first : First number of a pattern or a video (from 0); nothing: the first there is.
   \param last : Last number; nothing: the last there is. With both, images that are missing between them are problems.
   \exception vpException::ioError : If there is nothing to be opened.
+  \exception UsageError : If a list or an image is asked for a first or last number.
 */
 std::unique_ptr<ImageSource> openSource(const std::string &input, std::optional<long> first, std::optional<long> last);
 } // namespace tutorial
