@@ -88,6 +88,30 @@ TEST(DetectorGetPose, SmallMarkersToo)
   }
 }
 
+TEST(DetectorGetPose, WideQuietZonesAreKept)
+{
+  // What surrounds a marker is looked at as far as its quiet zone goes; around the marker the last image is dark.
+  Random random = randomOfTest();
+  vpCircleMarkerLayout layout = vpCircleMarkerFamily::ring(0.8).getLayout();
+  layout.quietZone = 1.2;
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily(vpCircleMarkerFamily::RING).withLayout(layout));
+  std::vector<vpHomogeneousMatrix> cMo;
+  for (int i = 0; i < 5; ++i) {
+    detector.detect(vpImage<unsigned char>(height, width, 0));
+    const vpHomogeneousMatrix truth = randomPose(random, 150., uniform(random, 0.1, 0.8), 320., 240.);
+    vpSimulatedMarker marker = vpSimulatedMarker::ring(size, 0.8).setPose(truth);
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    simulator.setBackground(vpSceneBackground::plain(200.));
+    simulator.addMarker(marker);
+    vpImage<unsigned char> I;
+    simulator.render(I, random());
+    ASSERT_TRUE(detector.detect(I, size, straightCamera(), cMo)) << i;
+    vpHomogeneousMatrix again;
+    ASSERT_TRUE(detector.getPose(0, size, straightCamera(), again)) << i;
+    EXPECT_LT(differenceOf(cMo[0], again), 1e-9) << i;
+  }
+}
+
 TEST(DetectorGetPose, WithoutACameraAndThenWithOne)
 {
   Random random = randomOfTest();

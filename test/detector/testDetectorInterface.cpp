@@ -119,6 +119,23 @@ TEST(DetectorInterface, CenterIsTheProjectionOfTheOrigin)
   }
 }
 
+TEST(DetectorInterface, CenterOfABentSheetIsThatOfThePose)
+{
+  // The middle of the print stands out of the plane in which the ring lies in the mean, and the pose is of that plane.
+  Random random = randomOfTest();
+  const vpHomogeneousMatrix truth = randomPose(random, 150., 0.8, 320., 240.);
+  vpSimulatedMarker marker = printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(truth);
+  const vpImage<unsigned char> I = imageOf(marker.setBow(0.008), random);
+  vpDetectorCircleMarker detector;
+  std::vector<vpHomogeneousMatrix> cMo;
+  ASSERT_TRUE(detector.detect(I, size, straightCamera(), cMo));
+  double u = 0., v = 0.;
+  vpMeterPixelConversion::convertPoint(straightCamera(), cMo[0][0][3] / cMo[0][2][3], cMo[0][1][3] / cMo[0][2][3], u,
+                                       v);
+  EXPECT_NEAR(detector.getCenter(0).get_u(), u, 1e-9);
+  EXPECT_NEAR(detector.getCenter(0).get_v(), v, 1e-9);
+}
+
 TEST(DetectorInterface, EllipseIsThatOfTheRing)
 {
   Random random = randomOfTest();

@@ -32,7 +32,7 @@ struct Honesty
   unsigned int sure = 0;
 };
 
-Honesty honestyOf(const vpCircleMarkerFamily &family, double diameter, Random &random)
+Honesty honestyOf(const vpCircleMarkerFamily &family, double diameter, Random &random, bool isCovered = false)
 {
   constexpr int images = 80;
   constexpr double sureOdds = 10.;
@@ -46,6 +46,16 @@ Honesty honestyOf(const vpCircleMarkerFamily &family, double diameter, Random &r
     vpMarkerSceneSimulator simulator(straightCamera(), width, height);
     simulator.setBackground(vpSceneBackground::plain(uniform(random, 30., 230.)));
     simulator.addMarker(printed(family, randomId(random, family)).setPose(truth));
+    if (isCovered) { // by a bar along one side
+      const vpEllipseTruth ellipse = simulator.getTruth()[0].ellipse.value();
+      const double angle = uniform(random, 0., 2. * M_PI);
+      const vpImagePoint out(std::sin(angle), std::cos(angle));
+      const vpImagePoint along(out.get_j(), -out.get_i());
+      const vpImagePoint middle =
+          ellipse.center + vpImagePoint(0.9 * ellipse.semiAxisA * out.get_i(), 0.9 * ellipse.semiAxisA * out.get_j());
+      const vpImagePoint half(diameter * along.get_i(), diameter * along.get_j());
+      simulator.addOccluder(vpSceneOccluder::bar(middle - half, middle + half, 0.25 * diameter, 90.));
+    }
     vpImage<unsigned char> I;
     simulator.render(I, random());
     std::vector<vpHomogeneousMatrix> cMo;
@@ -99,5 +109,20 @@ TEST(DetectorUnrefined, CovarianceAndOddsAreThoseOfTheClosedForm)
       EXPECT_LE(honesty.sureAndWrong, 1u) << diameter;
       EXPECT_TRUE(diameter < 100. || honesty.sure > 60u) << honesty.sure;
     }
+  }
+}
+
+TEST(DetectorUnrefined, CoveredMarkersAndThinRingsToo)
+{
+  Random random = randomOfTest();
+  const Honesty covered = honestyOf(vpCircleMarkerFamily::GOLAY23, 120., random, true);
+  EXPECT_LT(covered.depth, 4.);
+  EXPECT_LT(covered.normal, 4.);
+  EXPECT_GT(covered.found, 20u);
+  for (const double diameter : {16., 24.}) {
+    const Honesty thin = honestyOf(vpCircleMarkerFamily::ring(0.9), diameter, random);
+    EXPECT_LT(thin.depth, 4.) << diameter;
+    EXPECT_LT(thin.normal, 4.) << diameter;
+    EXPECT_GT(thin.found, 15u) << diameter;
   }
 }

@@ -93,6 +93,11 @@ int main(int argc, char *argv[])
     std::cerr << name << ": " << e.what() << "; see --help" << std::endl;
     return 2;
   }
+  const bool isTable = ratios + timeouts + reach + hardships + phantoms > 0 || !photographs.empty();
+  if (isTable && app.remaining_size() > 0) {
+    std::cerr << name << ": unknown argument \"" << app.remaining().front() << "\"; see --help" << std::endl;
+    return 2;
+  }
   try {
     cv::setNumThreads(1); // one thread for all; the detector's own threads are its own setting
     if (ratios > 0) {
@@ -114,7 +119,7 @@ int main(int argc, char *argv[])
     if (!photographs.empty()) {
       bench::tellPhotographs(std::cout, photographs, overlays);
     }
-    if (ratios + timeouts + reach + hardships + phantoms > 0 || !photographs.empty()) {
+    if (isTable) {
       return 0;
     }
     std::vector<std::string> left = {name};

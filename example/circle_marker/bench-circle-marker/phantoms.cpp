@@ -232,11 +232,12 @@ void tellPhotographs(std::ostream &out, const std::string &folder, const std::st
     vpImage<unsigned char> I;
     try {
       vpImageIo::read(I, picture.string());
+      detectors.look(I);
     }
-    catch (const vpException &) {
-      continue; // no picture that ViSP reads
+    catch (const vpException &e) { // no picture that ViSP reads, or one of a few pixels
+      out << picture.string() << " is left out: " << e.what() << "\n";
+      continue;
     }
-    detectors.look(I);
     detectors.addTo(counts["photographs"]);
     for (const vpDetectorCircleMarker *detector : {&detectors.coded, &detectors.ring}) {
       tellFound(out, picture.string(), detector->getDetections());

@@ -122,12 +122,12 @@ std::string tableOf(const Settings &settings, const std::vector<Row> &rows)
     const Row &row = rows[i];
     if (i == 0 || rows[i - 1].angle != row.angle) {
       out << "\nangle " << row.angle << " deg\n"
-          << "   distance  diameter       x       y       z  normal  separation  wrong\n"
-          << "          m    pixels      mm      mm      mm     deg       sigma      %\n";
+          << "   distance  diameter         x         y         z    normal  separation    wrong\n"
+          << "          m    pixels        mm        mm        mm       deg       sigma        %\n";
     }
-    out << std::setw(11) << digits(row.distance) << std::setw(10) << digits(row.diameter) << std::setw(8)
-        << shortNumber(millimetres * row.bound.x) << std::setw(8) << shortNumber(millimetres * row.bound.y)
-        << std::setw(8) << shortNumber(millimetres * row.bound.z) << std::setw(8)
+    out << std::setw(11) << digits(row.distance) << std::setw(10) << digits(row.diameter) << std::setw(10)
+        << shortNumber(millimetres * row.bound.x) << std::setw(10) << shortNumber(millimetres * row.bound.y)
+        << std::setw(10) << shortNumber(millimetres * row.bound.z) << std::setw(10)
         << shortNumber(vpMath::deg(row.bound.normal));
     if (row.separation) {
       constexpr double certain = 1e-9; // Less is "never" to a user.

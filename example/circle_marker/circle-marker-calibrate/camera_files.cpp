@@ -20,6 +20,7 @@
 #include <cmath>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -27,6 +28,7 @@
 #include <opencv2/core/persistence.hpp>
 #include <visp3/core/vpXmlParserCamera.h>
 
+#include "circle_marker/common/arguments.h"
 #include "circle_marker/common/camera_file.h"
 #include "circle_marker/common/whole_file.h"
 
@@ -77,6 +79,21 @@ Eigen::Vector2d rayOf(const ForeignCamera &camera, const Eigen::Vector2d &pixel)
   return Eigen::Vector2d(to.front().x, to.front().y);
 }
 } // namespace
+
+void checkCameraFile(const std::string &file, const std::string &name)
+{
+  std::ifstream in(file);
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  const std::string opening = "<name>";
+  for (std::size_t place = text.find(opening); place != std::string::npos; place = text.find(opening, place + 1)) {
+    const std::size_t begin = place + opening.size();
+    const std::string other = text.substr(begin, text.find('<', begin) - begin);
+    if (other != name) {
+      throw tutorial::UsageError("\"" + file + "\" has the camera \"" + other +
+                                 "\", which would be lost; name another file with --output");
+    }
+  }
+}
 
 void writeCameras(const std::string &file, const std::string &name, const std::vector<vpCameraParameters> &cameras,
                   unsigned int width, unsigned int height)

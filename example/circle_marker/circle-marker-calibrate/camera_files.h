@@ -27,6 +27,12 @@
 
 namespace calibrate {
 /*!
+  Finds out before the work that a file has other cameras, which would be lost: it is written as a whole.
+  \exception UsageError : If so.
+*/
+void checkCameraFile(const std::string &file, const std::string &name);
+
+/*!
   Writes cameras into one file as vpXmlParserCamera does, whole or not at all; an older file is replaced.
   \param file : Its path.
   \param name : Of the camera.

@@ -71,8 +71,8 @@ void addPictures(CLI::App &app, Order &order, Raw &raw, tutorial::CameraOptions 
   std::string group = "Pictures";
   app.add_option("--input", pictures.input, "An image, a video, img%04d.png, or @list.txt with a path on each line")
       ->group(group);
-  app.add_option("--first", pictures.first, "First number of --input")->group(group);
-  app.add_option("--last", pictures.last, "Last number of --input")->group(group);
+  app.add_option("--first", pictures.first, "First number of --input")->check(wholeNumber())->group(group);
+  app.add_option("--last", pictures.last, "Last number of --input")->check(wholeNumber())->group(group);
   group = "Live camera";
   CLI::App options;
   camera.addTo(options);
@@ -175,9 +175,12 @@ std::vector<LensModel> modelsOf(const std::string &text)
         isKnown = true;
       }
     }
-    if (!isKnown) {
-      throw UsageError("--model takes plain, distortion and kannala-brandt, not \"" + name + "\"");
+    if (!isKnown || std::count(models.begin(), models.end(), models.back()) > 1) {
+      throw UsageError("--model takes plain, distortion and kannala-brandt, each once, not \"" + name + "\"");
     }
+  }
+  if (models.empty()) {
+    throw UsageError("--model is empty; it takes plain, distortion and kannala-brandt");
   }
   return models;
 }

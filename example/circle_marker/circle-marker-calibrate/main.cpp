@@ -136,8 +136,14 @@ void writeFiles(const Order &order, const Report &report)
 
 int carryOut(const Order &order)
 {
-  const std::vector<Picture> pictures =
-      gatherPictures(order, [](const std::string &message) { program.complain(message); });
+  if (!order.output.empty()) {
+    checkCameraFile(order.output, order.cameraName);
+  }
+  bool isGood = true;
+  const std::vector<Picture> pictures = gatherPictures(order, [&isGood](const std::string &message) {
+    isGood = false;
+    program.complain(message);
+  });
   Finder finder(order.target);
   const std::vector<View> views = findAll(finder, pictures, std::nullopt, true);
   if (const std::string problem = problemOfViews(views); !problem.empty()) {
@@ -151,7 +157,7 @@ int carryOut(const Order &order)
   if (order.pictures.simulated > 0) {
     report.truth = lensOf(order.simulation.camera);
   }
-  bool isGood = views.size() == pictures.size();
+  isGood = isGood && views.size() == pictures.size();
   for (const LensModel model : order.models) {
     report.models.push_back(calibrateModel(order, model, finder, pictures, views));
     isGood = isGood && report.models.back().problems.empty();
@@ -163,6 +169,7 @@ int carryOut(const Order &order)
 
 int convertFile(const Order &order)
 {
+  checkCameraFile(order.output, order.cameraName);
   const ForeignCamera camera = readForeignCamera(order.convert);
   std::vector<vpCameraParameters> cameras;
   for (const LensModel model : order.models) {

@@ -38,7 +38,7 @@ std::vector<Picture> readPictures(const PictureOrder &order, const Complain &com
       pictures.push_back(Picture{image->name, *image->image});
     }
     else {
-      complain(image->problem);
+      complain("\"" + image->name + "\" is left out: " + image->problem);
     }
   }
   return pictures;

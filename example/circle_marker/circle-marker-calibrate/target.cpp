@@ -32,6 +32,9 @@ TargetPoint pointOf(const nlohmann::json &line, vpCircleMarkerFamily &family)
     throw std::runtime_error("the family " + family.getName() +
                              " has no ids; print golay23 markers, or use --target circles");
   }
+  if (line.value("inverse", false)) {
+    throw std::runtime_error("the sheet is white on black; make one without --inverse");
+  }
   TargetPoint point;
   point.place = Eigen::Vector2d(line.at("center_m").at(0).get<double>(), line.at("center_m").at(1).get<double>());
   point.radius = 0.5 * line.at("size_m").get<double>();

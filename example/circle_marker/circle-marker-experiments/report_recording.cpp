@@ -111,6 +111,9 @@ std::string sigmasOf(const Square &covariance)
   return text;
 }
 
+// What too few images, or none, tell.
+const std::string unknown = "-";
+
 double distanceBetween(const Triple &a, const Triple &b)
 {
   return std::hypot(std::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
@@ -123,9 +126,14 @@ void addMeans(const Recording &recording, Document &document)
     const StationFigures f = figuresOf(station);
     const ThesisStation *thesis = thesisOf(station);
     rows.push_back({titleOf(station), std::to_string(f.frames), percent(f.found, f.frames), digits(f.markers),
-                    station.distance ? vectorOf(f.mean, 3) : "",
-                    station.distance ? textOf(f.covariance, shortNumber) : "", thesis ? digits(thesis->markers) : "",
-                    thesis ? vectorOf(thesis->mean, 0) : "", thesis ? textOf(thesis->covariance, thesisNumber) : ""});
+                    !station.distance ? ""
+                    : f.found > 0     ? vectorOf(f.mean, 3)
+                                      : unknown,
+                    !station.distance ? ""
+                    : f.found > 1     ? textOf(f.covariance, shortNumber)
+                                      : unknown,
+                    thesis ? digits(thesis->markers) : "", thesis ? vectorOf(thesis->mean, 0) : "",
+                    thesis ? textOf(thesis->covariance, thesisNumber) : ""});
   }
   document.addTable("Estimates of the centre, as table 5.3 of the thesis",
                     {"C, mm", "frames", "found, %", "markers a frame", "mean of eC, mm", "covariance of eC, mm²",
@@ -142,11 +150,14 @@ void addSpreads(const Recording &recording, Document &document)
     if (!station.distance) {
       continue;
     }
-    rows.push_back({titleOf(station), sigmasOf(f.covariance), sigmasOf(f.stated), digits(f.consistency),
-                    before ? fixedNumber(distanceBetween(*before, f.mean), 3) : "", digits(f.tilt),
-                    shortNumber(f.normalSpread), digits(f.cpuTime.mean) + ", " + digits(f.cpuTime.sigma),
-                    digits(1000. / f.cpuTime.mean)});
-    before = f.mean;
+    const bool isSeen = f.found > 0;
+    const bool hasSpread = f.found > 1;
+    rows.push_back({titleOf(station), hasSpread ? sigmasOf(f.covariance) : unknown,
+                    isSeen ? sigmasOf(f.stated) : unknown, hasSpread ? digits(f.consistency) : unknown,
+                    before && isSeen ? fixedNumber(distanceBetween(*before, f.mean), 3) : "",
+                    isSeen ? digits(f.tilt) : unknown, hasSpread ? shortNumber(f.normalSpread) : unknown,
+                    digits(f.cpuTime.mean) + ", " + digits(f.cpuTime.sigma), digits(1000. / f.cpuTime.mean)});
+    before = isSeen ? std::make_optional(f.mean) : std::nullopt;
   }
   document.addTable("Spread, and whether the detector states it rightly",
                     {"C, mm", "σ of eC in x, y, z, mm", "stated by the detector, mm", "spread² over stated",

@@ -81,7 +81,8 @@ void addSquare(const Triple &d, double weight, Square &sum)
   }
 }
 
-void addSpread(const std::vector<Sight> &sights, StationFigures &figures)
+// Means, of one sight and more, and the spread, of two and more.
+void addSights(const std::vector<Sight> &sights, StationFigures &figures)
 {
   const double count = static_cast<double>(sights.size());
   Triple normal = {};
@@ -95,6 +96,9 @@ void addSpread(const std::vector<Sight> &sights, StationFigures &figures)
     }
   }
   figures.tilt = angleBetween(normal, {0., 0., -1.});
+  if (sights.size() < 2) {
+    return;
+  }
   const double freedoms = count - 1.; // The mean takes one.
   double squares = 0.;
   for (const Sight &sight : sights) {
@@ -119,8 +123,8 @@ StationFigures figuresOf(const Station &station)
     times.push_back(picture.cpuTime);
   }
   figures.cpuTime = common::statisticsOf(times);
-  if (sights.size() > 1) {
-    addSpread(sights, figures);
+  if (!sights.empty()) {
+    addSights(sights, figures);
   }
   return figures;
 }

@@ -62,8 +62,11 @@ void takeAway(const std::string &part, std::string &text)
   }
 }
 
-/*! Takes away what gnuplot says too often: SVG's own defaults, and groups with nothing in them. Halves the files. */
-void makeSmaller(const fs::path &svg)
+/*!
+  Takes away what gnuplot says too often: SVG's own defaults, and groups with nothing in them. Halves the files.
+  \return Whether the file is whole, as it was drawn and as it is now.
+*/
+bool makeSmaller(const fs::path &svg)
 {
   std::ifstream in(svg, std::ios::binary);
   std::string text(std::istreambuf_iterator<char>(in), {});
@@ -73,7 +76,10 @@ void makeSmaller(const fs::path &svg)
                            "<g fill=\"none\" color=\"#FFFFFF\" stroke=\"currentColor\">\n</g>\n"}) {
     takeAway(part, text);
   }
-  std::ofstream(svg, std::ios::binary) << text;
+  std::ofstream out(svg, std::ios::binary);
+  out << text;
+  out.close();
+  return out && text.find("</svg>") != std::string::npos;
 }
 
 /*! A word that the shell takes as it is. */
@@ -125,23 +131,28 @@ void drawPlots(const std::string &folder, const std::string &script, const std::
                              script + " in " + folder);
   }
   const std::string suffix = temporarySuffix();
-  const std::string command =
-      "cd " + quoted(folder) + " && gnuplot -e " + quoted("suffix='" + suffix + "'") + " " + quoted(script);
+  const std::string command = "cd -- " + quoted(fs::absolute(folder).string()) + " && gnuplot -e " +
+                              quoted("suffix='" + suffix + "'") + " " + quoted(script);
   const bool drawn = std::system(command.c_str()) == 0;
+  std::string incomplete;
   for (const std::string &plot : plots) {
     const fs::path path = fs::path(folder) / plot;
     const fs::path temporary = path.string() + suffix;
-    if (drawn) {
-      makeSmaller(temporary);
+    if (drawn && makeSmaller(temporary)) {
       giveFinalName(temporary, path);
     }
     else {
+      incomplete += drawn ? "\"" + plot + "\" " : "";
       removeQuietly(temporary);
     }
   }
   if (!drawn) {
     throw std::runtime_error("the plots are not drawn: gnuplot failed; call gnuplot " + script + " in " + folder +
                              " to see why");
+  }
+  if (!incomplete.empty()) {
+    throw std::runtime_error("the plots " + incomplete + "cannot be written whole to \"" + folder +
+                             "\"; use a folder that has room");
   }
 }
 } // namespace common

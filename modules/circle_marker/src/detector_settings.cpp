@@ -147,12 +147,14 @@ std::map<int, double> readSizes(const std::string &key, const Json &value)
   }
   std::map<int, double> sizes;
   for (const auto &[name, size] : value.items()) {
-    std::size_t used = 0;
-    const int id = std::stoi(name, &used);
-    if (used != name.size() || !(size.get<double>() > 0.)) {
+    constexpr std::size_t mostDigits = 9;                                    // an int holds any of them
+    const std::string digits = name.substr(name.rfind('-', 0) == 0 ? 1 : 0); // -1: without a code
+    const bool isId =
+        !digits.empty() && digits.size() <= mostDigits && digits.find_first_not_of("0123456789") == std::string::npos;
+    if (!isId || !size.is_number() || !(size.get<double>() > 0.)) {
       refuse(key, "an object with ids as keys and positive metres as values, not \"" + name + "\": " + size.dump());
     }
-    sizes[id] = size.get<double>();
+    sizes[std::stoi(name)] = size.get<double>();
   }
   return sizes;
 }

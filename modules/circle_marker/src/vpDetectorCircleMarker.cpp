@@ -79,6 +79,8 @@ void vpDetectorCircleMarker::Impl::detectBlack(const vpImage<unsigned char> &I, 
   m_benches.resize(m_workers.getCount());
   const CameraModel camera(cam);
   const Visit visit = {I, size, camera, deadline, m_outlines.full.gradient.noise};
+  m_inRegions.clear();
+  m_hadRegions = false;
   if (!searchRegions(visit)) {
     searchWhole(visit);
   }
@@ -130,12 +132,33 @@ void vpDetectorCircleMarker::Impl::searchWhole(const Visit &visit)
   examineAll(visit, outlines);
   if (settings.tracking) {
     keepSeen(outlines);
-    const bool isCutShort = visit.deadline.hasPassed();
-    m_tracks.follow(m_seen, static_cast<int>(I.getWidth()), static_cast<int>(I.getHeight()), isCutShort);
-    // After a search that was cut short the next image has its regions searched, for which there may be time, and the
-    // one after it is searched whole again.
-    m_sinceWhole = isCutShort ? std::max(settings.fullSearchPeriod, 2U) - 2 : 0;
+    followSeen(visit);
   }
+}
+
+/*!
+  After a search of the whole image, which may have been cut short. Then what was not looked for is still expected; but
+  what its region was searched for in this image, and not found in, is lost. The next image is searched whole, or, if
+  this one had no region searched, its regions, for which there may be time, and the one after it whole.
+*/
+void vpDetectorCircleMarker::Impl::followSeen(const Visit &visit)
+{
+  const bool isCutShort = visit.deadline.hasPassed();
+  const bool hadRegions = m_hadRegions;
+  if (isCutShort) {
+    for (const SeenMarker &marker : m_inRegions) {
+      const bool isNew = std::none_of(m_seen.begin(), m_seen.end(), [&marker](const SeenMarker &other) {
+        return other.id == marker.id && (other.outline.center - marker.outline.center).norm() < marker.outline.b;
+      });
+      if (isNew) {
+        m_seen.push_back(marker);
+      }
+    }
+  }
+  m_tracks.follow(m_seen, static_cast<int>(visit.I.getWidth()), static_cast<int>(visit.I.getHeight()),
+                  isCutShort && !hadRegions);
+  const unsigned int period = std::max(settings.fullSearchPeriod, 2U);
+  m_sinceWhole = !isCutShort ? 0 : hadRegions ? period - 1 : period - 2;
 }
 
 /*! The outlines through the rooms after them, from the largest to the smallest: read, chosen, measured. An outline that
@@ -223,6 +246,7 @@ void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outli
     examination.isFound =
         !visit.deadline.hasPassed() && measureMarker(visit, outlines[m_chosen[k]], *examination.marker,
                                                      m_benches[worker], m_measured[examination.place]);
+    m_measured[examination.place].mayBeBlurred = examination.mayBeBlurred;
   });
 }
 

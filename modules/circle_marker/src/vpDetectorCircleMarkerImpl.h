@@ -50,6 +50,7 @@ public:
     circle_marker::EllipseCandidate outline; //!< Its outer edge, as found.
     std::vector<vpImagePoint> polygon;       //!< Points along the outline.
     double noise = 0.;                       //!< Of the image it was found in, grey levels.
+    bool mayBeBlurred = false;               //!< Whether it was read through a blur, or might have been.
   };
 
   void detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
@@ -138,26 +139,29 @@ private:
   void measureChosen(const Visit &visit, const Outlines &outlines);
   bool settleChosen(bool isTimeOver);
   void keepSeen(const Outlines &outlines);
+  void followSeen(const Visit &visit);
   void keepCandidates(const Outlines &outlines);
   void keepSurroundings(const vpImage<unsigned char> &I);
 
-  circle_marker::OutlineMemory m_outlines;        //!< Memory of the rooms up to the outlines.
-  circle_marker::OutlineMemory m_regions;         //!< The same for regions of images.
-  vpImage<unsigned char> m_region;                //!< A region of the image.
-  Outlines m_regionOutlines;                      //!< Outlines of all regions.
-  circle_marker::OutlineFitter m_follower;        //!< Finds them where they are expected.
-  circle_marker::MarkerTracks m_tracks;           //!< Markers of the last images.
-  unsigned int m_sinceWhole = 0;                  //!< Images since a whole one was searched.
-  std::vector<circle_marker::SeenMarker> m_seen;  //!< Markers of the last image.
-  circle_marker::Workers m_workers;               //!< Threads.
-  std::vector<Bench> m_benches;                   //!< One for each thread.
-  std::vector<Examination> m_examinations;        //!< One for each outline.
-  circle_marker::ReusedList<Found> m_measured;    //!< What was measured of outlines.
-  std::vector<circle_marker::Attempt> m_attempts; //!< The ways to read an outline.
-  std::vector<std::size_t> m_chosen;              //!< Outlines to be read or measured together.
-  circle_marker::MarkerPlaces m_chosenPlaces;     //!< Where they are.
-  std::vector<Impl> m_inverse;                    //!< What looks at the negative, if markers white on black are sought.
-  vpImage<unsigned char> m_negative;              //!< The negative.
+  circle_marker::OutlineMemory m_outlines;            //!< Memory of the rooms up to the outlines.
+  circle_marker::OutlineMemory m_regions;             //!< The same for regions of images.
+  vpImage<unsigned char> m_region;                    //!< A region of the image.
+  Outlines m_regionOutlines;                          //!< Outlines of all regions.
+  circle_marker::OutlineFitter m_follower;            //!< Finds them where they are expected.
+  circle_marker::MarkerTracks m_tracks;               //!< Markers of the last images.
+  unsigned int m_sinceWhole = 0;                      //!< Images since a whole one was searched.
+  std::vector<circle_marker::SeenMarker> m_seen;      //!< Markers of the last image.
+  std::vector<circle_marker::SeenMarker> m_inRegions; //!< Those of a search of its regions that did not find all.
+  bool m_hadRegions = false;                          //!< Whether the regions of the last image were searched in vain.
+  circle_marker::Workers m_workers;                   //!< Threads.
+  std::vector<Bench> m_benches;                       //!< One for each thread.
+  std::vector<Examination> m_examinations;            //!< One for each outline.
+  circle_marker::ReusedList<Found> m_measured;        //!< What was measured of outlines.
+  std::vector<circle_marker::Attempt> m_attempts;     //!< The ways to read an outline.
+  std::vector<std::size_t> m_chosen;                  //!< Outlines to be read or measured together.
+  circle_marker::MarkerPlaces m_chosenPlaces;         //!< Where they are.
+  std::vector<Impl> m_inverse;       //!< What looks at the negative, if markers white on black are sought.
+  vpImage<unsigned char> m_negative; //!< The negative.
 };
 
 END_VISP_NAMESPACE

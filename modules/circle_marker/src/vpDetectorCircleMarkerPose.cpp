@@ -32,14 +32,16 @@ using namespace circle_marker;
 */
 void vpDetectorCircleMarker::Impl::keepSurroundings(const vpImage<unsigned char> &I)
 {
-  constexpr double shareOfRadius = 0.5; // the quiet zone has a sixth
-  constexpr double leastMargin = 32.;   // pixels: the widest blur the refinement knows, and interpolation
+  constexpr double leastShare = 0.5; // of the radius; the quiet zone has a sixth, and more at the corners of its sheet
+  constexpr double ofQuietZone = 2.2;
+  constexpr double leastMargin = 32.; // pixels: the widest blur the refinement knows, and interpolation
   const int width = static_cast<int>(I.getWidth());
   const int height = static_cast<int>(I.getHeight());
   image.resize(I.getHeight(), I.getWidth()); // the assignment of images would allocate each time
   for (const Found &marker : found) {
     const EllipseParameters &outline = marker.outline.ellipse;
-    const PixelBox box = boxAround(outline, shareOfRadius * outline.a + leastMargin, width, height);
+    const double share = std::max(leastShare, ofQuietZone * marker.marker.family.getLayout().quietZone);
+    const PixelBox box = boxAround(outline, share * outline.a + leastMargin, width, height);
     for (int y = box.top; y < box.bottom; ++y) {
       const unsigned char *row = I[static_cast<unsigned int>(y)];
       std::copy(row + box.left, row + box.right, image[static_cast<unsigned int>(y)] + box.left);
@@ -70,7 +72,8 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
     if (attempt.kind != ReadingKind::WHOLE) {
       marker = readInDoubt(visit, known.outline, *poses, family, attempt.kind, bench);
     }
-    else if (auto whole = recognise(kept, camera, *poses, known.outline, family, settings.decode)) {
+    else if (auto whole =
+                 recognise(kept, camera, *poses, known.outline, family, settings.decode, nullptr, known.mayBeBlurred)) {
       marker = std::move(*whole);
     }
     Found measured;

@@ -119,8 +119,9 @@ void vpDetectorCircleMarker::setNbThreads(unsigned int threads)
 
 /*!
   \param refine : Whether poses are refined on the grey levels around the marker's edges (the default), or left as the
-  closed form of vpPoseCircle gives them, which takes less time. Their errors are then up to a hundred times as large, and
-  the mirrored pose comes first more often; the covariance and the log-odds say so.
+  closed form of vpPoseCircle gives them, which takes less time. Their errors are then up to a hundred times as large,
+  and the mirrored pose comes first more often; the covariance and the log-odds say so, but for discs that are strongly
+  moved, whose smear is taken for their outline.
 */
 void vpDetectorCircleMarker::setRefinePose(bool refine)
 {

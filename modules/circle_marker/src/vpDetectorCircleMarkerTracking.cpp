@@ -81,7 +81,14 @@ bool vpDetectorCircleMarker::Impl::searchRegions(const Visit &visit)
       searchRegion(visit, box);
     }
     if (!examineRegions(visit)) {
-      return visit.deadline.hasPassed(); // there is no time for more
+      m_hadRegions = true;
+      m_inRegions = m_seen;
+      if (visit.deadline.hasPassed()) { // there is no time for more: the next image is searched whole
+        m_tracks.follow(m_seen, width, height, true);
+        m_sinceWhole = settings.fullSearchPeriod;
+        return true;
+      }
+      return false;
     }
   }
   m_tracks.follow(m_seen, width, height);

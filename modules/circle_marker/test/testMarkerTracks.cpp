@@ -167,6 +167,17 @@ TEST(MarkerTracks, WhatThereWasNoTimeForIsStillExpected)
   }
 }
 
+TEST(MarkerTracks, WhatIsExpectedOutsideOfTheImageIsNot)
+{
+  MarkerTracks tracks;
+  tracks.follow({seenAt(100., 150., 40., 1)}, width, height);
+  tracks.follow({seenAt(50., 150., 40., 1)}, width, height);
+  tracks.follow({}, width, height, true);
+  EXPECT_FALSE(tracks.haveAll({})) << "at the border it is still expected";
+  tracks.follow({}, width, height, true);
+  EXPECT_TRUE(tracks.haveAll({}));
+}
+
 TEST(MarkerTracks, MarkersWithoutACodeAreToldApartByPlace)
 {
   MarkerTracks tracks;

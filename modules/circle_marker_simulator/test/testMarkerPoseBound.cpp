@@ -251,6 +251,21 @@ TEST(MarkerPoseBound, SpinOfAPlainRingIsAnyAngle)
   EXPECT_NEAR(information / bound.information[3][3], 0., 1e-9);
 }
 
+TEST(MarkerPoseBound, OfAnInverseMarkerIsTheSame)
+{
+  // Its image is the negative, so it says as much of the pose; and the end of its black sheet as little.
+  for (const vpSimulatedMarker &marker : {coded(), vpSimulatedMarker::ring(0.2, 0.7)}) {
+    vpSimulatedMarker inverse = marker;
+    inverse.setInverse(true);
+    vpMarkerPoseBound bound(cam, photometry(2., 0.7));
+    const std::array<double, 5> expected = figures(bound.bound(at(marker, 5., 35.)));
+    const std::array<double, 5> found = figures(bound.bound(at(inverse, 5., 35.)));
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      EXPECT_NEAR(found[i], expected[i], 0.01 * expected[i]) << i;
+    }
+  }
+}
+
 TEST(MarkerPoseBound, SheetOfUnknownSurroundCosts)
 {
   vpMarkerPoseBound white(cam), unknown(cam);

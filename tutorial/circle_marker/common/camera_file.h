@@ -18,6 +18,7 @@
 #ifndef VP_TUTORIAL_CAMERA_FILE_H
 #define VP_TUTORIAL_CAMERA_FILE_H
 
+#include <cmath>
 #include <iostream>
 #include <optional>
 #include <sstream>
@@ -75,6 +76,10 @@ inline std::optional<NamedCamera> findCamera(const std::string &file, const std:
     return std::nullopt;
   }
   const vpCameraParameters &cam = camera.parameters;
+  if (!(cam.get_px() > 0. && cam.get_py() > 0. && std::isfinite(cam.get_px() + cam.get_py()) &&
+        std::isfinite(cam.get_u0() + cam.get_v0()))) {
+    throw CameraError("of the camera \"" + name + "\" in \"" + file + "\" px and py must be positive, and all finite");
+  }
   if (model == vpCameraParameters::perspectiveProjWithDistortion && cam.get_kud() == 0. && cam.get_kdu() == 0.) {
     // The same camera, and faster to compute with.
     camera.parameters.initPersProjWithoutDistortion(cam.get_px(), cam.get_py(), cam.get_u0(), cam.get_v0());

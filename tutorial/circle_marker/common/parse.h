@@ -52,8 +52,10 @@ inline CLI::Validator wholeNumber()
 {
   return CLI::Validator(
       [](std::string &text) {
-        const bool isGood = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-        return isGood ? std::string() : "\"" + text + "\" is not a whole number from 0";
+        constexpr std::size_t mostDigits = 18; // a number of 64 bits holds any of them
+        const bool isGood =
+            !text.empty() && text.size() <= mostDigits && text.find_first_not_of("0123456789") == std::string::npos;
+        return isGood ? std::string() : "\"" + text + "\" is not a whole number from 0 of up to 18 digits";
       },
       "whole number");
 }

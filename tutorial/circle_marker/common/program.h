@@ -50,11 +50,18 @@ public:
   {
     try {
       const auto request = parseCommandLine(argc, argv);
+      int status = 0;
       if (request.order) {
-        return carryOut(*request.order);
+        status = carryOut(*request.order);
       }
-      std::cout << request.text;
-      return 0;
+      else {
+        std::cout << request.text;
+      }
+      if (!std::cout.flush()) {
+        complain("the standard output could not be written; is its disk full?");
+        return 1;
+      }
+      return status;
     }
     catch (const UsageError &e) {
       complain(e.what());

@@ -43,17 +43,25 @@ inline void writeWhole(const std::string &path, const std::function<void(const s
 {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path target = fs::weakly_canonical(path, error); // through links, to replace what they point to
   const auto cannotWrite = [&path](const std::string &reason) {
     return vpException(vpException::ioError, "\"%s\" cannot be written (%s); is its folder there and writable?",
                        path.c_str(), reason.c_str());
   };
+  if (fs::is_directory(path, error)) {
+    throw cannotWrite("it is a folder");
+  }
+  if (fs::exists(path, error) && !fs::is_regular_file(path, error)) {
+    try {
+      write(path);
+    }
+    catch (const std::exception &e) {
+      throw cannotWrite(e.what());
+    }
+    return;
+  }
+  const fs::path target = fs::weakly_canonical(path, error); // through links, to replace what they point to
   if (error) {
     throw cannotWrite(error.message());
-  }
-  if (fs::exists(target) && !fs::is_regular_file(target)) {
-    write(path);
-    return;
   }
   const fs::path temporary = target.parent_path() / ("." + target.stem().string() + ".part" + std::to_string(getpid()) +
                                                      target.extension().string());
@@ -69,6 +77,24 @@ inline void writeWhole(const std::string &path, const std::function<void(const s
     const std::string reason = error.message();
     fs::remove(temporary, error);
     throw cannotWrite(reason);
+  }
+}
+
+/*!
+  Finds out before the work that a file could not be written after it: for want of its folder, or of permission.
+  \exception vpException::ioError : If so.
+*/
+inline void checkWritable(const std::string &path)
+{
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : fs::path(".");
+  std::error_code error;
+  const bool isFile = fs::exists(path, error);
+  const bool isGood = isFile ? access(path.c_str(), W_OK) == 0 && !fs::is_directory(path, error)
+                             : fs::is_directory(folder, error) && access(folder.c_str(), W_OK) == 0;
+  if (!isGood) {
+    throw vpException(vpException::ioError, "\"%s\" cannot be written; is its folder there and writable?",
+                      path.c_str());
   }
 }
 

@@ -83,6 +83,9 @@ public:
       m_recorder.emplace(order.record);
     }
     std::unique_ptr<FrameSource> source = openFrameSource(order.camera);
+    if (!order.json.empty()) {
+      checkWritable(order.json);
+    }
     m_region = source->region();
     // A recording does not run away.
     const bool isAll = order.allImages || !source->isLive();
@@ -127,7 +130,7 @@ private:
       program.complain(delivery.damage);
     }
     if (delivery.frame) {
-      one(*delivery.frame);
+      oneOrNone(*delivery.frame);
     }
     m_isEnd = delivery.isEnd;
     const double silence = m_feed->silence();
@@ -139,6 +142,19 @@ private:
     }
   }
   //! [Step]
+
+  // An image that cannot be used, such as one of 8 x 8 pixels, is left out; what was found in the others is kept.
+  void oneOrNone(const Frame &frame)
+  {
+    try {
+      one(frame);
+    }
+    catch (const vpException &e) {
+      m_isGood = false;
+      endProgress();
+      program.complain("\"" + frame.name + "\" is left out: " + e.what());
+    }
+  }
 
   void one(const Frame &frame)
   {

@@ -17,6 +17,9 @@
 
 #include "command_line.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include "../common/numbered_name.h"
 #include "../common/parse.h"
 
@@ -29,6 +32,14 @@ void check(const Order &order)
   }
   if (order.first && order.last && *order.first > *order.last) {
     throw UsageError("--first is after --last; exchange them");
+  }
+  std::error_code ignored; // a file that is not there is none of the others
+  for (const std::string &output : {order.overlay, order.json}) {
+    for (const std::string &input : {order.input, order.cameraFile}) {
+      if (!output.empty() && (output == input || std::filesystem::equivalent(output, input, ignored))) {
+        throw UsageError("\"" + output + "\" is read and would be replaced; name another file to be written");
+      }
+    }
   }
   const bool isSequence = order.input.front() == '@' || NumberedName::parse(order.input);
   if (!order.overlay.empty() && isSequence && !NumberedName::parse(order.overlay)) {

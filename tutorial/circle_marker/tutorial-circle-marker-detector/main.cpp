@@ -77,6 +77,9 @@ public:
     if (!order.overlay.empty() && !m_overlayName && m_source->size() > 1) {
       throw UsageError("--overlay names one picture for many images; use a number in the name, overlay-%04d.png");
     }
+    if (!order.json.empty()) {
+      checkWritable(order.json);
+    }
     m_detector.setDebug(!order.debug.empty());
     if (order.display) {
       m_window.emplace("Circular markers", 10, 10);

@@ -140,6 +140,11 @@ bool run(const Order &order)
 {
   vpImage<unsigned char> I;
   vpImageIo::read(I, order.input);
+  constexpr unsigned int leastSide = 16; // pixels: ViSP's detector of AprilTags does not bear less
+  if (I.getWidth() < leastSide || I.getHeight() < leastSide) {
+    throw vpException(vpException::dimensionError, "\"%s\" has %u x %u pixels; at least %u x %u are needed",
+                      order.input.c_str(), I.getWidth(), I.getHeight(), leastSide, leastSide);
+  }
   const vpCameraParameters cam = readCamera(order.cameraFile, order.cameraName, I.getWidth(), I.getHeight()).parameters;
   std::shared_ptr<vpDisplay> display;
   if (!order.displayOff) {

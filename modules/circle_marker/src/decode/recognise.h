@@ -75,7 +75,7 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
 /*!
   A marker whose code could not be read for certain: with the codeword that agrees best, which has to be proven once it
   is measured. Nothing if the inside has no asymmetry as a code's, the track is not made of sectors, or no dark ring
-  shows all around an outline that was not found by its dark line.
+  shows all around an outline that was not found as that of a thin ring.
   \param I : The image.
   \param camera : Its camera.
   \param poses : Both poses of the outline.

@@ -38,10 +38,7 @@ void gatherLoose(const EllipseSearch &search)
   loose.clear();
   for (EllipseMemory::Bench &bench : search.memory.benches) {
     for (LooseArc &arc : bench.loose) {
-      if (!search.memory.known.holds(arc.points.data(), arc.points.size(), 1., 0., wholeOutline) &&
-          !search.memory.known.surrounds(arc.ends[1].position, wholeOutline)) {
-        loose.push_back(&arc);
-      }
+      loose.push_back(&arc);
     }
   }
   // Those of one chain lie in one bench, one behind the other.
@@ -51,7 +48,17 @@ void gatherLoose(const EllipseSearch &search)
            : p->chain != q->chain ? p->chain < q->chain
                                   : std::less<>()(p, q);
   });
-  loose.resize(std::min(loose.size(), mostLoose));
+  // Those that are a piece of an outline that is known, or lie inside of it, are left out. Each asks all outlines, so
+  // no more are asked than are wanted.
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < loose.size() && kept < mostLoose && !search.deadline.hasPassed(); ++i) {
+    const LooseArc &arc = *loose[i];
+    if (!search.memory.known.holds(arc.points.data(), arc.points.size(), 1., 0., wholeOutline) &&
+        !search.memory.known.surrounds(arc.ends[1].position, wholeOutline)) {
+      loose[kept++] = loose[i];
+    }
+  }
+  loose.resize(kept);
 }
 
 // Whether two arcs give an outline, which is kept if it is new or better than the same one.

@@ -39,12 +39,12 @@ public:
 
   /*!
     Keeps an outline, whose memory is swapped in, or drops it: of two that are the same the better supported stays,
-    and one that was found by its edge before one that was found by its dark line.
+    and one that was found by its edge before one that was found as a thin ring.
     \return Whether it was new; if not, \e candidate is what was dropped.
   */
   bool take(EllipseCandidate &candidate);
 
-  /*! Whether an outline of these axes is known; isThin: whether they were found by a dark line. */
+  /*! Whether an outline of these axes is known; isThin: whether they were found as thin rings. */
   bool hasSame(const EllipseParameters &ellipse, bool isThin = false) const { return find(ellipse, isThin) >= 0; }
 
   /*!

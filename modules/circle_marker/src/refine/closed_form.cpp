@@ -18,14 +18,17 @@
 #include "refine/closed_form.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include "pose/circle_covariance.h"
 #include "pose/circle_evidence.h"
 #include "refine/fit_starts.h"
+#include "support/bilinear.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -37,44 +40,99 @@ using Matrix = Eigen::Matrix<double, 6, 6>;
 constexpr double sharedNoise = 3.;
 // Points are placed on the parabola through three gradients to this, pixels, however little noise there is.
 constexpr double leastNoise = 0.02;
-// All points are too far out or in by this, pixels: grey levels are not linear, ink spreads.
+// All points are too far out or in by this, pixels: grey levels are not linear, ink spreads. And by this share of the
+// blur, which is seldom as even as a Gaussian.
 constexpr double tooWide = 0.03;
-// And so are, by as much as this, those where the quiet zone is narrower than a usual blur: what lies beyond it
-// moves the steepest place of the edge.
-constexpr double mostByGround = 0.4; // pixels
-constexpr double blur = 1.2;         // pixels, standard deviation
-// A blurred edge of curvature k lies k blur^2 / 2 nearer to the centre of its bend, where it bends more than it blurs.
-constexpr double byCurvature = 0.5 * blur * blur; // pixels^2
+constexpr double tooWideInBlur = 0.1; // of what the blur has beyond the usual one
+// And so are, by as much as this share of the blur, those where the quiet zone or the ring is narrower than the blur:
+// what lies beyond moves the steepest place of the edge.
+constexpr double mostByNeighbour = 0.35;
+// The blur, pixels, standard deviation, is this at least, and is measured along the outline to this factor.
+constexpr double leastBlur = 1.2;
+constexpr double blurSlack = 1.3;
+// What covers a part of the outline draws the points beside it along, a part of it or another, by this, pixels.
+constexpr double byCover = 0.5;
+constexpr double leastSupportOfWhole = 0.9;
 // Phases of the sectors' grid are tried in steps of this part of a sector; the reading is off by up to half of one.
 constexpr double stepOfPhase = 1. / 8.;
 
-// By how much each mode of what all points may have in common would move the pose. inverse: of the points' information.
-void addCommonErrors(const EllipseCandidate &outline, const std::vector<Eigen::Vector2d> &meters,
-                     const CirclePosition &circle, double quietZone, double meterPerPixel, const Matrix &inverse,
-                     Matrix &covariance)
+// Blur across the outline, pixels: an edge of the step h blurred by sigma is h / (sqrt(2 pi) sigma) steep. The median
+// of some points.
+double blurAlong(const vpImage<unsigned char> &I, const EllipseCandidate &outline)
 {
-  Column wide = Column::Zero();
-  Column narrow = Column::Zero();
-  Column bent = Column::Zero();
-  const double product = outline.ellipse.a * outline.ellipse.b;
-  for (std::size_t i = 0; i < meters.size(); ++i) {
+  constexpr std::size_t most = 32;
+  std::array<double, most> blurs;
+  std::size_t count = 0;
+  const std::size_t step = outline.points.size() / most + 1;
+  for (std::size_t i = 0; i < outline.points.size() && count < most; i += step) {
     const EdgePoint &point = outline.points[i];
-    const Column byShift = meterPerPixel * circleDistanceJacobian(circle, meters[i]).transpose();
-    // Of the tangent from the centre: the quiet zone's width there is a share of it, and its cube tells the curvature.
-    const double height = std::abs(point.normal().dot(point.position - outline.ellipse.center));
-    wide += tooWide * byShift;
-    narrow += mostByGround * std::exp(-0.5 * std::pow(quietZone * height / blur, 2.)) * byShift;
-    bent += byCurvature * std::pow(height, 3.) / (product * product) * byShift;
+    const auto outside = bilinear(I, point.position + 0.5 * point.normal());
+    const auto inside = bilinear(I, point.position - 0.5 * point.normal());
+    if (outside && inside && *outside > *inside) {
+      blurs[count++] = outline.contrast / (std::sqrt(2. * M_PI) * (*outside - *inside));
+    }
   }
-  for (const Column &pull : {wide, narrow, bent}) {
-    const Column moved = inverse * pull;
-    covariance += moved * moved.transpose();
+  if (count == 0) {
+    return leastBlur;
   }
+  const auto middle = blurs.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(blurs.begin(), middle, blurs.begin() + static_cast<std::ptrdiff_t>(count));
+  return std::max(leastBlur, blurSlack * *middle);
 }
+
+// By how much the pose moves if all points move outward in ways that they may have in common, each a column.
+class CommonErrors
+{
+public:
+  CommonErrors(const vpCircleMarkerFamily &family, const EllipseCandidate &outline, double blur)
+      : m_layout(family.getLayout()), m_outline(outline), m_blur(blur),
+        m_wide(tooWide + tooWideInBlur * (blur - leastBlur))
+  {
+  }
+
+  // A point, and the derivative of its distance by the pose, for a shift of one pixel.
+  void add(const EdgePoint &point, const Column &byShift)
+  {
+    const EllipseParameters &ellipse = m_outline.ellipse;
+    // Of the tangent from the centre: the widths of quiet zone and ring are shares of it, and its cube tells the
+    // curvature: a blurred edge of curvature k lies k blur^2 / 2 nearer to the centre of its bend.
+    const double height = std::abs(point.normal().dot(point.position - ellipse.center));
+    const double curvature = std::pow(height, 3.) / std::pow(ellipse.a * ellipse.b, 2.);
+    m_columns[0] += m_wide * byShift;
+    m_columns[1] += nearTo(m_layout.quietZone * height) * byShift;
+    m_columns[2] += nearTo((1. - m_layout.ringInner) * height) * byShift;
+    m_columns[3] += 0.5 * m_blur * m_blur * std::min(curvature, 1. / m_blur) * byShift;
+    if (m_outline.support < leastSupportOfWhole) {
+      const Eigen::Vector2d from = point.position - ellipse.center;
+      m_columns[from.x() > 0. ? (from.y() > 0. ? 4 : 5) : (from.y() > 0. ? 6 : 7)] += byCover * byShift;
+    }
+  }
+
+  // inverse: of the points' information.
+  void addTo(Matrix &covariance, const Matrix &inverse) const
+  {
+    for (const Column &column : m_columns) {
+      const Column moved = inverse * column;
+      covariance += moved * moved.transpose();
+    }
+  }
+
+private:
+  // Shift, pixels, by what lies so far beyond the edge.
+  double nearTo(double width) const { return mostByNeighbour * m_blur * std::exp(-0.5 * std::pow(width / m_blur, 2.)); }
+
+  const vpCircleMarkerLayout m_layout;
+  const EllipseCandidate &m_outline;
+  const double m_blur; // pixels
+  const double m_wide; // pixels
+  std::array<Column, 8> m_columns = {Column::Zero(), Column::Zero(), Column::Zero(), Column::Zero(),
+                                     Column::Zero(), Column::Zero(), Column::Zero(), Column::Zero()};
+};
 } // namespace
 
-Eigen::Matrix<double, 6, 6> closedFormCovariance(const EllipseCandidate &outline, const MarkerPlane &plane,
-                                                 const vpCircleMarkerFamily &family, const CameraModel &camera)
+Eigen::Matrix<double, 6, 6> closedFormCovariance(const vpImage<unsigned char> &I, const EllipseCandidate &outline,
+                                                 const MarkerPlane &plane, const vpCircleMarkerFamily &family,
+                                                 const CameraModel &camera)
 {
   const CirclePosition circle = {plane.center, plane.rotation.col(2)};
   std::vector<Eigen::Vector2d> meters;
@@ -87,8 +145,15 @@ Eigen::Matrix<double, 6, 6> closedFormCovariance(const EllipseCandidate &outline
   const double left = squaredDistances(circle, plane.radius, meters) / freedom;
   const double variance = sharedNoise * (left + std::pow(leastNoise * pixel, 2.));
   Matrix covariance = circleCovariance(circle, meters, std::sqrt(variance));
-  addCommonErrors(outline, meters, circle, family.getLayout().quietZone, pixel, Matrix(covariance / variance),
-                  covariance);
+  const Matrix inverse = covariance / variance;
+  CommonErrors errors(family, outline, blurAlong(I, outline));
+  for (std::size_t i = 0; i < meters.size(); ++i) {
+    const EdgePoint &point = outline.points[i];
+    // Of a line that moves by one pixel along its normal, in the normalised image plane.
+    const double shift = 1. / (camera.meterPerPixel(point.position).inverse().transpose() * point.normal()).norm();
+    errors.add(point, shift * circleDistanceJacobian(circle, meters[i]).transpose());
+  }
+  errors.addTo(covariance, inverse);
   // From exp(delta) about the camera's centre to (t, w) about the marker's: t = v + w x C.
   Matrix change = Matrix::Identity();
   const Eigen::Vector3d &c = plane.center;

@@ -26,6 +26,7 @@
 #include <Eigen/Core>
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
+#include <visp3/core/vpImage.h>
 
 #include "ellipse/ellipse_candidate.h"
 #include "pose/marker_plane.h"
@@ -41,8 +42,9 @@ namespace circle_marker {
   \param camera : The camera.
   \return Of (t, w) as FittedPose::covariance; without a code the spin's part is zero.
 */
-Eigen::Matrix<double, 6, 6> closedFormCovariance(const EllipseCandidate &outline, const MarkerPlane &plane,
-                                                 const vpCircleMarkerFamily &family, const CameraModel &camera);
+Eigen::Matrix<double, 6, 6> closedFormCovariance(const vpImage<unsigned char> &I, const EllipseCandidate &outline,
+                                                 const MarkerPlane &plane, const vpCircleMarkerFamily &family,
+                                                 const CameraModel &camera);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

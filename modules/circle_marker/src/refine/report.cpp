@@ -149,7 +149,8 @@ void putReport(const Recognition &marker, const Measurement &measurement, const 
   detection.margin = std::max(marker.code.margin, 0.);
   detection.size = 2. * plane.radius;
   detection.dof = spinIsKnown ? 6 : 5;
-  const Eigen::Vector2d center = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
+  const Eigen::Vector2d center =
+      camera.toPixel(plane.center.hnormalized()); // of a bent sheet beside the print's middle
   detection.center.set_ij(center.y(), center.x());
   detection.ellipse = ellipseOf(plane, camera);
   putPose(withReportedSpin(marker, plane), zAligned, detection.cMo);

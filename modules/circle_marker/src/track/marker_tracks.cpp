@@ -125,8 +125,11 @@ void MarkerTracks::follow(const std::vector<SeenMarker> &seen, int width, int he
   }
   for (Track &old : m_before) {
     const auto isOld = [&old](const SeenMarker &marker) { return old.mayBe(marker); };
-    if (isCutShort && std::none_of(seen.begin(), seen.end(), isOld)) {
-      old.marker.outline = old.expected();
+    const EllipseParameters expected = old.expected();
+    const bool isInside = expected.center.x() >= 0. && expected.center.y() >= 0. && expected.center.x() < width &&
+                          expected.center.y() < height;
+    if (isCutShort && isInside && std::none_of(seen.begin(), seen.end(), isOld)) {
+      old.marker.outline = expected;
       m_tracks.push_back(old);
     }
   }

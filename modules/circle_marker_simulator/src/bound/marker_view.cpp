@@ -166,7 +166,8 @@ vpMarkerSceneSimulator &MarkerView::cameraOf(double blurVariance) const
   photometry.blurSigma = blurVariance < LEAST_VARIANCE ? 0. : std::sqrt(blurVariance);
   auto camera = std::make_unique<vpMarkerSceneSimulator>(m_cam, m_width, m_height);
   camera->setPhotometry(photometry);
-  camera->setBackground(vpSceneBackground::plain(photometry.paper));
+  // The sheet goes on, so that its end says nothing of the pose: that of an inverse marker is black.
+  camera->setBackground(vpSceneBackground::plain(m_marker.isInverse() ? photometry.ink : photometry.paper));
   camera->addMarker(m_marker);
   if (m_cameras.size() == CAMERAS_KEPT) {
     m_cameras.erase(m_cameras.begin());

@@ -86,7 +86,8 @@ void DetectorOptions::addTo(CLI::App &app)
   app.add_option("--sizes", sizes, "Diameters of single markers, as 3:0.1,4:0.2");
   app.add_option(
       "--family", families,
-      "golay23, bch31, bch31r, ring, disc, or several with commas; golay23 or those of --config unless told");
+      "golay23, bch31r, bch31, ring, disc, or several with commas; golay23 or those of --config unless told. A "
+      "marker of bch31r is one of bch31, too: of the two the one that is named first is taken");
   app.add_option("--ratio", ratio, "Inner over outer radius of the family ring");
   app.add_option("--hamming", hamming, "Most sectors of a code that are corrected")->check(CLI::Range(0U, 5U));
   app.add_option("--config", configFile, "Settings of vpDetectorCircleMarker, JSON; other options go before it");

@@ -30,6 +30,7 @@
 #include <visp3/io/vpVideoReader.h>
 
 #include "../arguments.h"
+#include "../camera_file.h"
 #include "../numbered_name.h"
 
 namespace fs = std::filesystem;
@@ -54,12 +55,30 @@ bool isVideo(const std::string &path)
   return std::find(std::begin(extensions), std::end(extensions), extensionOf(path)) != std::end(extensions);
 }
 
+// Whether the mark of its end is there: of a JPEG file that is cut off OpenCV reads what there is, and goes on in grey.
+bool endsAsJpeg(const std::string &path)
+{
+  constexpr std::streamoff atEnd = 4096; // bytes: cameras write a few after the mark
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  std::string end(static_cast<std::size_t>(std::clamp<std::streamoff>(size, 0, atEnd)), '\0');
+  file.seekg(std::max<std::streamoff>(size - atEnd, 0));
+  file.read(end.data(), static_cast<std::streamsize>(end.size()));
+  return end.find("\xff\xd9") != std::string::npos;
+}
+
 vpImage<unsigned char> readImage(const std::string &path)
 {
   vpImage<unsigned char> image;
   const std::string extension = extensionOf(path);
   // libjpeg, ViSP's own choice for these, ends the program when a file is damaged.
   const bool isJpeg = extension == ".jpg" || extension == ".jpeg";
+  if (extension.empty()) {
+    throw vpException(vpException::ioError, "its name has no extension that tells what it is, such as .png");
+  }
+  if (isJpeg && !endsAsJpeg(path)) {
+    throw vpException(vpException::ioError, "the file is cut off");
+  }
   vpImageIo::read(image, path, isJpeg ? vpImageIo::IO_OPENCV_BACKEND : vpImageIo::IO_DEFAULT_BACKEND);
   if (image.getSize() == 0) {
     throw vpException(vpException::ioError, "it holds no image");
@@ -117,10 +136,11 @@ public:
     for (; m_next <= m_last && (m_next < m_frames || m_next == 0); ++m_next) {
       SourceImage result{m_path + "#" + std::to_string(m_next), m_next, vpImage<unsigned char>(), ""};
       try {
+        const SilentStream silentErrors(std::cerr), silentOutput(std::cout); // the reader warns there
         m_reader.acquire(*result.image);
       }
       catch (const std::exception &e) {
-        // What comes after a frame that cannot be decoded cannot be reached either.
+        // What comes after a frame that the reader does not get over cannot be reached either.
         m_last = -1;
         result.image.reset();
         result.problem = e.what();
@@ -128,8 +148,17 @@ public:
       }
       if (m_next >= m_first) {
         ++m_next;
+        if (result.image->getSize() == 0) {
+          result.image.reset();
+          result.problem = "the frame cannot be decoded";
+        }
         return result;
       }
+    }
+    if (m_first >= m_frames && m_last >= 0) { // said once
+      m_last = -1;
+      return SourceImage{m_path + "#" + std::to_string(m_first), m_first, std::nullopt,
+                         "the video has " + std::to_string(m_frames) + " frames, from 0"};
     }
     return std::nullopt;
   }

@@ -21,6 +21,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "../interruption.h"
+
 namespace tutorial {
 namespace {
 // The servo ends when the measured error of this many images in a row is within half of the bounds that the pose is
@@ -211,7 +213,8 @@ ServoRecord runServo(ServoEyes &eyes, vpRobot &robot, const ServoGoal &goal, con
 
     std::optional<std::string> reason = end.after(step);
     if (wish == ServoWish::Quit && !reason) {
-      reason = "stopped by a right click before the desired pose was reached";
+      reason = std::string(isInterrupted() ? "interrupted" : "stopped by a right click") +
+               " before the desired pose was reached";
     }
     if (reason) {
       record.snapshots.push_back(Snapshot{"final", step, view->image});
