@@ -276,9 +276,13 @@ TEST(CalibrateProgram, WrongArgumentsSayWhatToDo)
        "overlap"},
       {{"--simulate", "5", "--target", "markers"}, "--sheet"},
       {circles + Words{"--simulate", "5", "--model", "pinhole"}, "--model takes"},
+      {circles + Words{"--simulate", "5", "--model", ""}, "--model is empty"},
+      {circles + Words{"--simulate", "5", "--model", "plain,plain"}, "each once"},
+      {circles + Words{"--simulate", "5", "--output", "other.xml"}, "would be lost"},
       {circles + Words{"--simulate", "5", "--input", "a.png"}, "exclude each other"},
       {{"--convert", "a.yaml"}, "--convert needs --output"},
   };
+  std::ofstream(folder / "other.xml") << "<root><camera><name>Left</name></camera></root>\n";
   for (const auto &[arguments, words] : cases) {
     const test::Outcome outcome = calibrate(arguments, folder);
     EXPECT_EQ(outcome.status, 2) << outcome.err;

@@ -25,6 +25,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
 
 #include "run_program.h"
 
@@ -342,6 +344,61 @@ TEST(DetectorProgram, AnImageThatNoCameraIsForIsLeftOut)
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.err.find("small.png\" is left out"), std::string::npos) << outcome.err;
   EXPECT_EQ(linesOf(test::contentOf(folder / "out.jsonl")).size(), 2U);
+}
+
+TEST(DetectorProgram, APictureThatIsCutOffIsLeftOut)
+{
+  const fs::path folder = test::emptyFolder();
+  cv::imwrite((folder / "whole.jpg").string(), cv::imread(referencePicture));
+  const std::string jpeg = test::contentOf(folder / "whole.jpg");
+  std::ofstream(folder / "cut.jpg", std::ios::binary) << jpeg.substr(0, jpeg.size() / 3);
+  std::ofstream(folder / "list.txt") << "cut.jpg\nwhole.jpg\n";
+  const test::Outcome outcome = test::run(DETECTOR_PROGRAM, reference("@list.txt"), folder);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("cut.jpg\" is left out"), std::string::npos) << outcome.err;
+  ASSERT_EQ(linesOf(outcome.out).size(), 1U);
+  EXPECT_EQ(linesOf(outcome.out)[0]["markers"].size(), 1U);
+}
+
+TEST(DetectorProgram, AFrameThatCannotBeDecodedIsLeftOut)
+{
+  const fs::path folder = test::emptyFolder();
+  const std::string path = (folder / "video.avi").string();
+  cv::VideoWriter writer(path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10., cv::Size(640, 480));
+  for (int i = 0; i < 8; ++i) {
+    cv::Mat picture;
+    cv::resize(cv::imread(referencePicture), picture, cv::Size(640, 480));
+    writer << picture;
+  }
+  writer.release();
+  // The fourth JPEG picture is overwritten.
+  std::string video = test::contentOf(path);
+  std::size_t begin = 0;
+  for (int i = 0; i < 4; ++i) {
+    begin = video.find("\xff\xd8\xff", begin + 1);
+    ASSERT_NE(begin, std::string::npos);
+  }
+  const std::size_t end = video.find("\xff\xd9", begin);
+  std::fill(video.begin() + static_cast<std::ptrdiff_t>(begin), video.begin() + static_cast<std::ptrdiff_t>(end), '\0');
+  std::ofstream(path, std::ios::binary) << video;
+  const test::Outcome outcome = test::run(DETECTOR_PROGRAM, reference("video.avi"), folder);
+  EXPECT_EQ(outcome.status, 1) << outcome.err;
+  EXPECT_NE(outcome.err.find("video.avi#3\" is left out"), std::string::npos) << outcome.err;
+  EXPECT_EQ(linesOf(outcome.out).size(), 7U) << "and nothing but lines of JSON";
+}
+
+TEST(DetectorProgram, WhatIsReadIsNotReplaced)
+{
+  const fs::path folder = test::emptyFolder();
+  fs::copy_file(referencePicture, folder / "a.png");
+  const std::string before = test::contentOf(folder / "a.png");
+  for (const std::string option : {"--overlay", "--json"}) {
+    EXPECT_EQ(test::run(DETECTOR_PROGRAM, reference("a.png", {option, "./a.png"}), folder).status, 2) << option;
+  }
+  EXPECT_EQ(test::contentOf(folder / "a.png"), before);
+  const test::Outcome piped = test::run(DETECTOR_PROGRAM, reference("a.png", {"--json", "/dev/stdout"}), folder);
+  EXPECT_EQ(piped.status, 0) << piped.err;
+  EXPECT_EQ(linesOf(piped.out).size(), 1U);
 }
 
 TEST(DetectorProgram, SizesOfSingleMarkers)
