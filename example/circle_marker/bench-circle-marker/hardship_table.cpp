@@ -113,12 +113,16 @@ void write(std::ostream &out, const std::string &what, double level, Line line)
     mean += distance / static_cast<double>(line.distances.size());
   }
   std::sort(line.distances.begin(), line.distances.end());
-  const double worst = line.distances.empty() ? 0. : line.distances.back();
-  const double median = line.distances.empty() ? 0. : line.distances[line.distances.size() / 2];
   out << "| " << what << " | " << std::defaultfloat << std::setprecision(3) << level << " | " << line.frames << " | "
       << std::fixed << std::setprecision(1) << 100. * line.found / line.frames << " % | " << line.wrong << " | "
-      << std::setprecision(2) << mean << " | " << median << " | " << worst << " | " << line.misjudged << " |"
-      << std::endl;
+      << std::setprecision(2);
+  if (line.distances.empty()) {
+    out << "- | - | -";
+  }
+  else {
+    out << mean << " | " << line.distances[line.distances.size() / 2] << " | " << line.distances.back();
+  }
+  out << " | " << line.misjudged << " |" << std::endl;
 }
 
 // Whether the marker was found and rightly read.

@@ -136,31 +136,6 @@ void vpDetectorCircleMarker::Impl::searchWhole(const Visit &visit)
   }
 }
 
-/*!
-  After a search of the whole image, which may have been cut short. Then what was not looked for is still expected; but
-  what its region was searched for in this image, and not found in, is lost. The next image is searched whole, or, if
-  this one had no region searched, its regions, for which there may be time, and the one after it whole.
-*/
-void vpDetectorCircleMarker::Impl::followSeen(const Visit &visit)
-{
-  const bool isCutShort = visit.deadline.hasPassed();
-  const bool hadRegions = m_hadRegions;
-  if (isCutShort) {
-    for (const SeenMarker &marker : m_inRegions) {
-      const bool isNew = std::none_of(m_seen.begin(), m_seen.end(), [&marker](const SeenMarker &other) {
-        return other.id == marker.id && (other.outline.center - marker.outline.center).norm() < marker.outline.b;
-      });
-      if (isNew) {
-        m_seen.push_back(marker);
-      }
-    }
-  }
-  m_tracks.follow(m_seen, static_cast<int>(visit.I.getWidth()), static_cast<int>(visit.I.getHeight()),
-                  isCutShort && !hadRegions);
-  const unsigned int period = std::max(settings.fullSearchPeriod, 2U);
-  m_sinceWhole = !isCutShort ? 0 : hadRegions ? period - 1 : period - 2;
-}
-
 /*! The outlines through the rooms after them, from the largest to the smallest: read, chosen, measured. An outline that
   is a piece of a chosen one, such as a sector of its code, waits; it gets its turn if that one turns out to be none.
 */

@@ -164,6 +164,30 @@ void vpDetectorCircleMarker::Impl::keepSeen(const Outlines &outlines)
   }
 }
 
+/*!
+  After a search of the whole image, which may have been cut short. Then what was not looked for is still expected; but
+  what its region was searched for in this image, and not found in, is lost. The next image is searched whole, or, if
+  this one had no region searched, its regions, for which there may be time, and the one after it whole.
+*/
+void vpDetectorCircleMarker::Impl::followSeen(const Visit &visit)
+{
+  const bool isCutShort = visit.deadline.hasPassed();
+  if (isCutShort) {
+    for (const SeenMarker &marker : m_inRegions) {
+      const bool isNew = std::none_of(m_seen.begin(), m_seen.end(), [&marker](const SeenMarker &other) {
+        return other.id == marker.id && (other.outline.center - marker.outline.center).norm() < marker.outline.b;
+      });
+      if (isNew) {
+        m_seen.push_back(marker);
+      }
+    }
+  }
+  m_tracks.follow(m_seen, static_cast<int>(visit.I.getWidth()), static_cast<int>(visit.I.getHeight()),
+                  isCutShort && !m_hadRegions);
+  const unsigned int period = std::max(settings.fullSearchPeriod, 2U);
+  m_sinceWhole = !isCutShort ? 0 : m_hadRegions ? period - 1 : period - 2;
+}
+
 /*! The next image is searched as if it were the first. */
 void vpDetectorCircleMarker::Impl::forgetTracks()
 {
@@ -178,8 +202,8 @@ void vpDetectorCircleMarker::Impl::forgetTracks()
   Follows markers from image to image: their outlines are looked for where they are expected, then in regions around
   these places, which takes a fraction of the time. The whole image is searched while there is no marker, when one is
   lost, and every \e fullSearchPeriod images, so that new ones are found. What is found of a marker is what a search of
-  the whole image finds of it. A search of the whole image that a timeout cuts short does not count: the next one but
-  one is whole again, and markers that were not reached are not forgotten.
+  the whole image finds of it. A search of the whole image that a timeout cuts short does not count: one of the next
+  two is whole again, and markers that were not reached are not forgotten.
 
   The images must be those of one camera in their order.
 
