@@ -187,7 +187,9 @@ void vpDetectorCircleMarker::Impl::choose(const Visit &visit, const Outlines &ou
 
 /*!
   After the chosen ones were measured: those that are none may be of the next family, and what lies inside of them has
-  its turn. \param isTimeOver : Whether there was no time to measure all. \return Whether some are none.
+  its turn.
+  \param isTimeOver : Whether there was no time to measure all.
+  \return Whether some are none.
 */
 bool vpDetectorCircleMarker::Impl::settleChosen(bool isTimeOver)
 {

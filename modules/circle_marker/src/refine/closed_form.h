@@ -36,9 +36,12 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
   Covariance of a pose in closed form, from the points of the outline that it was made of. Their noise is what the
-  ellipse leaves of them; neighbours share it. What blur and surround do to all of them alike, so that the outline is
-  too wide or too narrow, shows in nothing that is left: it is taken from experience. So is the spin's error, of the
-  sectors as they were read. \param outline : The outline. \param plane : The pose. \param family : The marker's family.
+  ellipse leaves of them; neighbours share it. What blur, ring, surround and covers do to many of them alike shows in
+  little that is left: it is taken from experience. So is the spin's error, of the sectors as they were read.
+  \param I : The image.
+  \param outline : The outline.
+  \param plane : The pose.
+  \param family : The marker's family.
   \param camera : The camera.
   \return Of (t, w) as FittedPose::covariance; without a code the spin's part is zero.
 */
