@@ -244,7 +244,7 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
   }
   else if (!marker.blurred) {
     measurement->first.covariance =
-        closedFormCovariance(visit.I, outline, measurement->first.plane, marker.family, visit.camera);
+        closedFormCovariance(visit.I, outline, measurement->first.plane, marker.family, visit.camera, bench.meters);
   }
   addCameraDoubt(settings.cameraCovariance, marker.family, visit.camera, measurement->first);
   // Of a blurred outline pieces are missed, but a marker that is read through a blur shows all of its image.

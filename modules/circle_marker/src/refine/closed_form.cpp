@@ -52,7 +52,7 @@ constexpr double leastBlur = 1.2;
 constexpr double blurSlack = 1.3;
 // What covers a part of the outline draws the points beside it along, a part of it or another, by this, pixels.
 constexpr double byCover = 0.5;
-constexpr double leastSupportOfWhole = 0.9;
+constexpr double leastSupportOfWhole = 0.9; // as isPartMissing() has it
 // Phases of the sectors' grid are tried in steps of this part of a sector; the reading is off by up to half of one.
 constexpr double stepOfPhase = 1. / 8.;
 
@@ -132,11 +132,10 @@ private:
 
 Eigen::Matrix<double, 6, 6> closedFormCovariance(const vpImage<unsigned char> &I, const EllipseCandidate &outline,
                                                  const MarkerPlane &plane, const vpCircleMarkerFamily &family,
-                                                 const CameraModel &camera)
+                                                 const CameraModel &camera, std::vector<Eigen::Vector2d> &meters)
 {
   const CirclePosition circle = {plane.center, plane.rotation.col(2)};
-  std::vector<Eigen::Vector2d> meters;
-  meters.reserve(outline.points.size());
+  meters.clear();
   for (const EdgePoint &point : outline.points) {
     meters.push_back(camera.toMeter(point.position));
   }

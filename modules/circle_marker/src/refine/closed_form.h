@@ -23,6 +23,8 @@
 #ifndef VP_CIRCLE_MARKER_CLOSED_FORM_H
 #define VP_CIRCLE_MARKER_CLOSED_FORM_H
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
@@ -43,11 +45,12 @@ namespace circle_marker {
   \param plane : The pose.
   \param family : The marker's family.
   \param camera : The camera.
+  \param meters : Working memory for the points in the normalised image plane.
   \return Of (t, w) as FittedPose::covariance; without a code the spin's part is zero.
 */
 Eigen::Matrix<double, 6, 6> closedFormCovariance(const vpImage<unsigned char> &I, const EllipseCandidate &outline,
                                                  const MarkerPlane &plane, const vpCircleMarkerFamily &family,
-                                                 const CameraModel &camera);
+                                                 const CameraModel &camera, std::vector<Eigen::Vector2d> &meters);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -50,6 +50,7 @@ Eigen::Matrix<double, 6, 6> inCameraFrame(const Eigen::Matrix<double, 6, 6> &cov
   change.bottomRightCorner<3, 3>() = plane.rotation;
   return change * covariance * change.transpose();
 }
+
 // Through a lens of 20,000 pixels and more the depth of a small marker is known a ten-thousandth as well as its place
 // across, and the sums in single precision may say anything of it, that it has a negative variance, too. It is then
 // taken for as large as it is negative: little is known.
