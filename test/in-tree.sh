@@ -48,12 +48,24 @@ case $work/ in
   "$root"/*) echo "in-tree.sh: $work is inside the project; choose a --work folder outside" >&2; exit 2 ;;
 esac
 # ViSP looks for modules, and Doxygen for sources, in every folder of the project, in that of a standalone build as well.
-# There are copies of our headers in it, so ViSP is given the project without what was built. The files keep their dates:
-# the next run compiles only what has changed.
+# There are copies of our headers in it, so ViSP is given the project without what was built. A file that is as it was at
+# the last run keeps the date that it had there, and any other has today's, whatever date it has here (a file that was
+# moved, or came from another branch, may be older than the object made of its predecessor): the next run compiles all
+# that has changed, and nothing else.
 project=$work/project
-rm -rf "$project"
+before=$work/project-before
+if [[ -d $project ]]; then
+  rm -rf "$before"
+  mv "$project" "$before"
+fi
 mkdir "$project"
-(cd "$root" && cp -a CMakeLists.txt README.md LICENSE modules tutorial example test data doc cmake "$project")
+(cd "$root" && cp -R CMakeLists.txt README.md LICENSE modules tutorial example test data doc cmake "$project")
+(cd "$project" && find . -type f -print0) | while IFS= read -r -d '' file; do
+  if cmp -s "$project/$file" "$before/$file"; then
+    touch -r "$before/$file" "$project/$file"
+  fi
+done
+rm -rf "$before"
 
 bash "$root/cmake/install-packages.sh" build test
 if ! bash "$root/cmake/install-packages.sh" in-tree; then

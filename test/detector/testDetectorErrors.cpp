@@ -122,7 +122,9 @@ TEST(DetectorErrors, SettingsOutOfRange)
 {
   vpDetectorCircleMarker detector;
   EXPECT_EQ(codeOf([&] { detector.setFamilies({}); }), vpException::badValue);
-  EXPECT_EQ(codeOf([&] { detector.setNbThreads(0); }), vpException::badValue);
+  for (const unsigned int wrong : {0u, 1025u, ~0u}) {
+    EXPECT_EQ(codeOf([&] { detector.setNbThreads(wrong); }), vpException::badValue) << wrong;
+  }
   for (const double wrong : {-0.01, 1.01, std::nan("")}) {
     EXPECT_EQ(codeOf([&] { detector.setMinimumMargin(wrong); }), vpException::badValue);
   }
@@ -155,13 +157,28 @@ TEST(DetectorErrors, ConfigurationFiles)
   }
 }
 
+// What setters take, a file must hold as well.
+TEST(DetectorErrors, ConfigurationFilesHoldWhatSettersTake)
+{
+  TestFile file;
+  vpDetectorCircleMarker detector;
+  detector.setTracking(true, 100000);
+  detector.setNbThreads(1024);
+  detector.setMaximumHammingDistance(5000);
+  detector.saveConfigFile(file.name());
+  vpDetectorCircleMarker loaded;
+  EXPECT_EQ(codeOf([&] { loaded.loadConfigFile(file.name()); }), -1);
+}
+
 TEST(DetectorErrors, WrongConfigurationChangesNothing)
 {
   TestFile file;
   for (const char *text :
        {"{\"families\": [\"ring\"], \"colour\": 3}", "{\"families\": []}",
         "{\"families\": [\"ring\"], \"sizes\": {\"3\": -0.1}}", "{\"families\": [\"ring\"], \"minimumMargin\": 2}",
-        "{\"families\": [\"ring\"], \"threads\": 0}", "{\"families\": [\"ring\"], \"threads\": -1}", "{"}) {
+        "{\"families\": [\"ring\"], \"threads\": 0}", "{\"families\": [\"ring\"], \"threads\": -1}",
+        "{\"families\": [\"ring\"], \"threads\": 1025}", "{\"families\": [\"ring\"], \"fullSearchPeriod\": 4294967296}",
+        "{"}) {
     file.write(text);
     vpDetectorCircleMarker detector;
     EXPECT_EQ(codeOf([&] { detector.loadConfigFile(file.name()); }), vpException::badValue) << text;

@@ -29,6 +29,7 @@
 #include <array>
 #include <cstdint>
 #include <fstream>
+#include <limits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -60,9 +61,9 @@ using Json = nlohmann::json;
 }
 
 // The library would turn -1 and 1.5 into whole numbers of its own.
-unsigned int readCount(const std::string &key, const Json &value, unsigned int least)
+unsigned int readCount(const std::string &key, const Json &value, unsigned int least,
+                       unsigned int most = std::numeric_limits<unsigned int>::max())
 {
-  constexpr unsigned int most = 1000; // threads, sectors or images: more is a mistake
   if (!value.is_number_unsigned() || value.get<std::uint64_t>() < least || value.get<std::uint64_t>() > most) {
     refuse(key, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   }
@@ -232,7 +233,7 @@ void read(const Json &json, DetectorSettings &settings)
       settings.polarity = readPolarity(key, value);
     }
     else if (key == "threads") {
-      settings.threads = readCount(key, value, 1);
+      settings.threads = readCount(key, value, 1, mostThreads);
     }
     else if (key == "tracking") {
       settings.tracking = value.get<bool>();

@@ -31,6 +31,9 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! Threads that can be asked for: more than any processor has; each has working memory of its own. */
+constexpr unsigned int mostThreads = 1024;
+
 /*! All that a user can set. */
 struct DetectorSettings
 {

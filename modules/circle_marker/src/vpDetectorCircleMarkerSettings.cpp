@@ -105,14 +105,15 @@ void vpDetectorCircleMarker::setMinimumMargin(double margin)
 }
 
 /*!
-  \param threads : Number of threads, at least one. They are started by the next detect(), which throws
+  \param threads : Number of threads, from 1 to 1024. They are started by the next detect(), which throws
   vpException::fatalError if the system does not give so many.
-  \exception vpException::badValue : If it is 0.
+  \exception vpException::badValue : If it is another.
 */
 void vpDetectorCircleMarker::setNbThreads(unsigned int threads)
 {
-  if (threads == 0) {
-    throw vpException(vpException::badValue, "vpDetectorCircleMarker: at least one thread is needed");
+  if (threads == 0 || threads > circle_marker::mostThreads) {
+    throw vpException(vpException::badValue, "vpDetectorCircleMarker: %u threads are not from 1 to %u", threads,
+                      circle_marker::mostThreads);
   }
   m_impl->settings.threads = threads;
 }

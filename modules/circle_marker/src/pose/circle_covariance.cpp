@@ -17,6 +17,9 @@
 
 #include "pose/circle_covariance.h"
 
+#include <cmath>
+#include <limits>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
@@ -56,15 +59,20 @@ Eigen::Matrix<double, 6, 6> circleCovariance(const CirclePosition &circle, const
   information(3, 3) += 1. / uniformTiltVariance;
   information(4, 4) += 1. / uniformTiltVariance;
 
-  // Metres and radians differ by orders of magnitude: scaled to a unit diagonal the inverse loses no digits to that.
+  // Metres and radians differ by orders of magnitude: scaled to a unit diagonal the inverse loses no digits to that. It
+  // is the product of a factor and its transpose, so that no variance is negative where terms of a circle far from the
+  // axis cancel each other.
   const Eigen::Matrix<double, 5, 1> scale = information.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::Matrix<double, 5, 5> scaled = scale.asDiagonal() * information * scale.asDiagonal();
-  Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
-  covariance.topLeftCorner<5, 5>() =
-      scale.asDiagonal() * scaled.ldlt().solve(Eigen::Matrix<double, 5, 5>::Identity()) * scale.asDiagonal();
-  covariance(5, 5) = uniformSpinVariance;
-  covariance = B * covariance * B.transpose();
-  return 0.5 * (covariance + covariance.transpose());
+  Eigen::Matrix<double, 5, 5> scaled = scale.asDiagonal() * information * scale.asDiagonal();
+  // What rounding leaves unknown of sums over the points; with it the factor is always there.
+  scaled.diagonal().array() += static_cast<double>(points.size()) * std::numeric_limits<double>::epsilon();
+  Eigen::Matrix<double, 6, 5> seen = B.leftCols<5>() * scale.asDiagonal();
+  scaled.llt().matrixU().solveInPlace<Eigen::OnTheRight>(seen);
+  Eigen::Matrix<double, 6, 6> factor;
+  factor << seen, std::sqrt(uniformSpinVariance) * B.col(5);
+  Eigen::Matrix<double, 6, 6> half = Eigen::Matrix<double, 6, 6>::Zero();
+  half.selfadjointView<Eigen::Lower>().rankUpdate(factor);
+  return half.selfadjointView<Eigen::Lower>();
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE
