@@ -263,6 +263,23 @@ TEST(CalibrateProgram, ReadsTheCamerasOfOpenCvAndRos)
   EXPECT_TRUE(isSaid(bad.err, "camera_matrix")) << bad.err;
 }
 
+// r (1 - 0.9 r^2) is 0.4 at most: 120 pixels from the centre, and no ray is seen in the corners.
+TEST(CalibrateProgram, DistortionThatFoldsTheImageIsRefused)
+{
+  const fs::path folder = test::emptyFolder();
+  std::ofstream(folder / "folded.yaml") << "image_width: 640\nimage_height: 480\n"
+                                           "camera_matrix:\n  rows: 3\n  cols: 3\n"
+                                           "  data: [300, 0, 320, 0, 300, 240, 0, 0, 1]\n"
+                                           "distortion_model: plumb_bob\n"
+                                           "distortion_coefficients:\n  rows: 1\n  cols: 4\n"
+                                           "  data: [-0.9, 0, 0, 0]\n";
+  const test::Outcome folded =
+      calibrate({"--convert", "folded.yaml", "--model", "distortion", "--output", "folded.xml"}, folder);
+  EXPECT_EQ(folded.status, 1);
+  EXPECT_TRUE(isSaid(folded.err, "cannot be undone")) << folded.err;
+  EXPECT_FALSE(fs::exists(folder / "folded.xml"));
+}
+
 TEST(CalibrateProgram, WrongArgumentsSayWhatToDo)
 {
   const fs::path folder = test::emptyFolder();

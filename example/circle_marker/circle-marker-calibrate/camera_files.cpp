@@ -21,6 +21,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -63,18 +64,29 @@ std::string withHeading(const std::string &file)
   return yaml;
 }
 
-/*! Ray of a pixel. */
-Eigen::Vector2d rayOf(const ForeignCamera &camera, const Eigen::Vector2d &pixel)
+/*!
+  Ray of a pixel; nothing if there is none: the distortion is no lens's there (it folds the image), or OpenCV's search for
+  it does not end. Known by the ray's own pixel, which is another.
+*/
+std::optional<Eigen::Vector2d> rayOf(const ForeignCamera &camera, const Eigen::Vector2d &pixel)
 {
+  constexpr double most = 0.01; // pixels: a tenth of what the worst conversion that is of use differs by
   const cv::Mat K = (cv::Mat_<double>(3, 3) << camera.fx, 0., camera.cx, 0., camera.fy, camera.cy, 0., 0., 1.);
+  const cv::Vec3d none(0., 0., 0.);
   const std::vector<cv::Point2d> from{{pixel.x(), pixel.y()}};
-  std::vector<cv::Point2d> to;
+  std::vector<cv::Point2d> to, back;
   if (camera.isFisheye) {
     cv::fisheye::undistortPoints(from, to, K, camera.distortion);
+    cv::fisheye::distortPoints(to, back, K, camera.distortion);
   }
   else {
     const cv::TermCriteria exact(cv::TermCriteria::COUNT + cv::TermCriteria::EPS, 100, 1e-12);
     cv::undistortPoints(from, to, K, camera.distortion, cv::noArray(), cv::noArray(), exact);
+    const std::vector<cv::Point3d> ray{{to.front().x, to.front().y, 1.}};
+    cv::projectPoints(ray, none, none, K, camera.distortion, back);
+  }
+  if (!(cv::norm(back.front() - from.front()) < most)) {
+    return std::nullopt;
   }
   return Eigen::Vector2d(to.front().x, to.front().y);
 }
@@ -160,20 +172,24 @@ ForeignCamera readForeignCamera(const std::string &file)
 
 Conversion convert(const ForeignCamera &camera, LensModel model)
 {
-  constexpr int steps = 40; // of a grid over the image; the models are smooth
+  constexpr int steps = 40;          // of a grid over the image; the models are smooth
+  constexpr double farthestRay = 50.; // in the plane at the distance 1: at 88.9 degrees from the axis
   // The rays as points of a plane at the distance 1, seen by a camera that stands still.
   Target rays;
   View view;
   for (int i = 0; i <= steps; ++i) {
     for (int j = 0; j <= steps; ++j) {
       const Eigen::Vector2d pixel(i * (camera.width - 1.) / steps, j * (camera.height - 1.) / steps);
-      TargetPoint ray;
-      ray.place = rayOf(camera, pixel);
-      if (!ray.place.allFinite() || ray.place.norm() > 50.) {
+      const std::optional<Eigen::Vector2d> found = rayOf(camera, pixel);
+      if (!found || !(found->norm() < farthestRay)) {
         throw std::runtime_error("the camera has no ray for the pixel " + std::to_string(pixel.x()) + ", " +
                                  std::to_string(pixel.y()) +
-                                 ": it sees 180 degrees or more, which no model of ViSP does");
+                                 (found ? ": it sees 180 degrees or more, which no model of ViSP does"
+                                        : ": its distortion cannot be undone there; was it found from pictures with "
+                                          "nothing in that part of the image?"));
       }
+      TargetPoint ray;
+      ray.place = *found;
       view.observations.push_back(Observation{rays.points.size(), pixel});
       rays.points.push_back(ray);
     }
