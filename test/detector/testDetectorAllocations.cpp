@@ -31,12 +31,12 @@ using namespace detector_test;
 namespace {
 std::atomic<bool> isCounting(false);
 std::atomic<unsigned long> allocations(0);
+std::atomic<unsigned long> failing(0); // which of them there is no memory for, from 1; 0: there is for all
 
-void count()
+// Counts an allocation; whether there is memory for it.
+bool count()
 {
-  if (isCounting.load(std::memory_order_relaxed)) {
-    ++allocations;
-  }
+  return !isCounting.load(std::memory_order_relaxed) || ++allocations != failing;
 }
 } // namespace
 
@@ -48,32 +48,27 @@ void *__libc_memalign(std::size_t alignment, std::size_t size);
 
 void *malloc(std::size_t size)
 {
-  count();
-  return __libc_malloc(size);
+  return count() ? __libc_malloc(size) : nullptr;
 }
 
 void *calloc(std::size_t number, std::size_t size)
 {
-  count();
-  return __libc_calloc(number, size);
+  return count() ? __libc_calloc(number, size) : nullptr;
 }
 
 void *realloc(void *memory, std::size_t size)
 {
-  count();
-  return __libc_realloc(memory, size);
+  return count() ? __libc_realloc(memory, size) : nullptr;
 }
 
 void *aligned_alloc(std::size_t alignment, std::size_t size)
 {
-  count();
-  return __libc_memalign(alignment, size);
+  return count() ? __libc_memalign(alignment, size) : nullptr;
 }
 
 int posix_memalign(void **memory, std::size_t alignment, std::size_t size)
 {
-  count();
-  *memory = __libc_memalign(alignment, size);
+  *memory = count() ? __libc_memalign(alignment, size) : nullptr;
   return *memory == nullptr ? 12 : 0; // ENOMEM
 }
 }
@@ -120,6 +115,55 @@ TEST(DetectorAllocations, TheCounterCounts)
   isCounting = false;
   delete list;
   EXPECT_GE(allocations, 3u);
+}
+
+// An image that there is no memory for leaves no markers, and nothing that the next image would be mistaken by.
+TEST(DetectorAllocations, WantOfMemoryLeavesNoMarkers)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  vpSimulatedMarker marker = vpSimulatedMarker::circle("golay23", randomId(random, family), size);
+  const vpImage<unsigned char> I = clutter(random, {marker.setPose(randomPose(random, 90., 0.5))});
+  for (const auto polarity : {vpCircleMarkerPolarity::BLACK_ON_WHITE, vpCircleMarkerPolarity::BOTH}) {
+    std::vector<vpHomogeneousMatrix> poses;
+    vpDetectorCircleMarker expected(family);
+    expected.setPolarity(polarity);
+    expected.setDebug(true);
+    ASSERT_TRUE(expected.detect(I, size, straightCamera(), poses));
+    const std::size_t rejected = expected.getRejectedCandidates().size();
+    int failures = 0;
+    bool isOver = false;
+    // The first one by one, where working memory is made; then ever fewer.
+    for (unsigned long n = 1; !isOver; n += 1 + n / 25) {
+      vpDetectorCircleMarker detector(expected); // with results, and working memory
+      detector.setTracking(true);
+      allocations = 0;
+      failing = n;
+      isCounting = true;
+      try {
+        detector.detect(I, size, straightCamera(), poses);
+        isOver = true;
+      }
+      catch (const std::exception &) { // std::bad_alloc, or ViSP's vpException
+      }
+      isCounting = false;
+      failing = 0;
+      if (!isOver) {
+        ++failures;
+        ASSERT_EQ(detector.getNbObjects(), 0u) << n;
+        ASSERT_EQ(detector.getDetections().size(), 0u) << n;
+        ASSERT_EQ(detector.getPolygon().size(), 0u) << n;
+        ASSERT_EQ(detector.getMessage().size(), 0u) << n;
+        vpHomogeneousMatrix cMo;
+        ASSERT_THROW(detector.getPose(0, size, straightCamera(), cMo), vpException) << n;
+        ASSERT_TRUE(detector.detect(I, size, straightCamera(), poses)) << n;
+        ASSERT_EQ(detector.getNbObjects(), expected.getNbObjects()) << n;
+        ASSERT_EQ(detector.getRejectedCandidates().size(), rejected) << n;
+        ASSERT_EQ(differenceOf(poses[0], expected.getDetections()[0].cMo), 0.) << n;
+      }
+    }
+    EXPECT_GT(failures, 50);
+  }
 }
 
 TEST(DetectorAllocations, NoneWithoutAMarker)

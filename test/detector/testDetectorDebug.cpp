@@ -222,11 +222,18 @@ TEST(DetectorDebug, ReasonsOfThingsThatAreNoMarkers)
   EXPECT_EQ(reasonsFor(coded, blackDisc).count(Reject::OTHER_CENTER), 1u);
   const auto plainRing = [](cv::Mat &pixels) { drawRing(pixels, 40, 32); };
   EXPECT_EQ(reasonsFor(coded, plainRing), std::set<Reject>({Reject::NO_SECTORS}));
-  EXPECT_EQ(reasonsFor(ring, [](cv::Mat &pixels) { drawRing(pixels, 3, 2); }).count(Reject::NONE), 0u);
+  const auto ofRing = [](int outer, int inner) {
+    return [outer, inner](cv::Mat &pixels) { drawRing(pixels, outer, inner); };
+  };
+  EXPECT_EQ(reasonsFor(ring, ofRing(3, 1)), std::set<Reject>({Reject::TOO_SMALL}));
+  EXPECT_EQ(reasonsFor(coded, ofRing(3, 2)), std::set<Reject>({Reject::TOO_SMALL}));
+  EXPECT_EQ(reasonsFor(ring, ofRing(5, 2)), std::set<Reject>({Reject::UNLIKE_THE_MODEL}));
+  EXPECT_EQ(reasonsFor(ring, ofRing(6, 3)).count(Reject::NO_RING), 1u) << "twice as thick as the family's";
+  EXPECT_EQ(reasonsFor(ring, ofRing(6, 4)), std::set<Reject>({Reject::KNOWN_OUTLINE})) << "found, and at half size";
   disc.setFamilies({vpCircleMarkerFamily::DISC, vpCircleMarkerFamily::GOLAY23}); // both centres are looked at
-  const std::set<Reject> ofRing = reasonsFor(disc, plainRing);
-  EXPECT_EQ(ofRing.count(Reject::OTHER_SHAPE), 1u);
-  EXPECT_EQ(ofRing.count(Reject::NO_SECTORS), 1u);
+  const std::set<Reject> asDisc = reasonsFor(disc, plainRing);
+  EXPECT_EQ(asDisc.count(Reject::OTHER_SHAPE), 1u);
+  EXPECT_EQ(asDisc.count(Reject::NO_SECTORS), 1u);
   const auto dented = [](cv::Mat &pixels) {
     drawRing(pixels, 40, 32);
     cv::circle(pixels, middle + cv::Point(-35, 0), 12, cv::Scalar(30), cv::FILLED, cv::LINE_AA);

@@ -347,9 +347,8 @@ TEST(DetectorInterface, WithoutRefinement)
   }
 }
 
-TEST(DetectorInterface, CorrectionCanBeForbidden)
+TEST(DetectorInterface, MarginCanBeDemanded)
 {
-  // A corner of the sheet lies over some of the code's sectors, but not over the ring.
   TwoMarkers scene;
   vpDetectorCircleMarker detector;
   detector.setMinimumMargin(1.);
@@ -358,6 +357,39 @@ TEST(DetectorInterface, CorrectionCanBeForbidden)
   detector.setMaximumHammingDistance(0);
   ASSERT_TRUE(detector.detect(scene.I));
   EXPECT_EQ(detector.getNbObjects(), 2u);
+}
+
+TEST(DetectorInterface, CorrectionCanBeForbidden)
+{
+  // Markers whose print has one wrong sector, or two.
+  constexpr int count = 20;
+  const vpCircleMarkerFamily golay(vpCircleMarkerFamily::GOLAY23);
+  const vpCircleMarkerLayout &layout = golay.getLayout();
+  Random random = randomOfTest();
+  for (const unsigned int wrong : {1u, 2u}) {
+    int corrected = 0;
+    int forbidden = 0;
+    for (int i = 0; i < count; ++i) {
+      const int id = randomId(random, golay);
+      std::uint32_t word = vpSimulatedMarker::codewords("golay23")[static_cast<std::size_t>(id)];
+      const unsigned int first = static_cast<unsigned int>(random() % 23);
+      word ^= 1U << first;
+      word ^= wrong == 2 ? 1U << ((first + 1 + random() % 22) % 23) : 0U;
+      vpSimulatedMarker marker = vpSimulatedMarker::rings({{layout.ringInner, 1.}}, size);
+      marker.setTrack(layout.codeInner, layout.codeOuter, 23, word);
+      marker.setPose(randomPose(random, 90., uniform(random, 0.1, 0.8)));
+      const vpImage<unsigned char> I = imageOf(straightCamera(), {marker}, random);
+      vpDetectorCircleMarker detector;
+      if (detector.detect(I)) {
+        EXPECT_EQ(detector.getTagsId(), std::vector<int>({id}));
+        corrected += detector.getHammingDistance(0) == wrong ? 1 : 0;
+      }
+      detector.setMaximumHammingDistance(wrong - 1);
+      forbidden += detector.detect(I) ? 1 : 0;
+    }
+    EXPECT_GE(corrected, count - 2) << wrong;
+    EXPECT_LE(forbidden, count / 2) << wrong << ": a wrong sector can pass for one that something covers";
+  }
 }
 
 // Half of the sectors of another family's marker agree with some codeword, and the others are not what covers it.

@@ -125,6 +125,32 @@ TEST(DetectorScenes, AMarkerInTheCentreOfAnother)
   }
 }
 
+TEST(DetectorScenes, AMarkerInsideOfARing)
+{
+  // In the white of a ring of 0.8 of its diameter there is room for a marker of half the ring's, with its sheet.
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily ring = vpCircleMarkerFamily::ring(0.8);
+  for (int i = 0; i < 30; ++i) {
+    const vpHomogeneousMatrix cMo = randomPose(random, uniform(random, 200., 330.), uniform(random, 0.1, 0.9));
+    const int inner = static_cast<int>(random() % 178);
+    const double innerSize = uniform(random, 0.25, 0.5) * size;
+    const vpHomogeneousMatrix cMi = beside(cMo, 0., 0., uniform(random, -M_PI, M_PI));
+    const vpImage<unsigned char> I =
+        imageOf(straightCamera(),
+                {printed(ring, -1).setPose(cMo), printed(vpCircleMarkerFamily::GOLAY23, inner, innerSize).setPose(cMi)},
+                random);
+    vpDetectorCircleMarker detector;
+    detector.setFamilies({vpCircleMarkerFamily::GOLAY23, ring});
+    detector.setZAlignedWithCameraAxis(true);
+    detector.setMarkerSizes({{inner, innerSize}});
+    std::vector<vpHomogeneousMatrix> poses;
+    detector.detect(I, size, straightCamera(), poses);
+    ASSERT_EQ(detector.getNbObjects(), 2u) << i;
+    EXPECT_EQ(detector.getTagsId(), std::vector<int>({-1, inner}));
+    EXPECT_LT(differenceOf(poses[1], cMi), 0.05);
+  }
+}
+
 TEST(DetectorScenes, SheetsThatTouch)
 {
   // Two by two sheets edge to edge; each quiet zone ends where the next one begins.
@@ -213,5 +239,9 @@ TEST(DetectorScenes, InverseMarkersAreTracked)
     std::vector<vpHomogeneousMatrix> cMo;
     detector.detect(I, size, straightCamera(), cMo);
     EXPECT_EQ(detector.getTagsId(), std::vector<int>({5, 9})) << i;
+    for (const vpRect &region : detector.getSearchedRegions()) {
+      EXPECT_EQ(region.getWidth() < width, i % 5 != 0) << i; // every fifth image is searched as a whole
+    }
+    EXPECT_EQ(detector.getSearchedRegions().size(), 2u) << i;
   }
 }

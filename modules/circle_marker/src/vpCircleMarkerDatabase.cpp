@@ -42,6 +42,7 @@ void vpCircleMarkerDatabase::load(const std::string &filename)
 
   \param filename : Its path.
   \exception vpException::ioError : If it cannot be written.
+  \exception vpException::badValue : If a name or payload is not UTF-8.
   \exception vpException::functionNotImplementedError : If the module was built without nlohmann-json.
 */
 void vpCircleMarkerDatabase::save(const std::string &filename) const
@@ -52,6 +53,7 @@ void vpCircleMarkerDatabase::save(const std::string &filename) const
 /*!
   Adds a marker.
 
+  \param entry : What is known of it.
   \exception vpException::badValue : If its family has no such id, its size is not positive, its pose not finite, or if
   it is there already.
 */

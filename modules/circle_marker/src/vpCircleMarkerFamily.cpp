@@ -16,6 +16,9 @@
  */
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
+
+#include <cmath>
+
 #include <visp3/core/vpException.h>
 
 #include "decode/cyclic_code.h"
@@ -118,18 +121,21 @@ vpCircleMarkerFamily vpCircleMarkerFamily::ring(double ratio)
 
   \param layout : Radii in units of the ring's outer radius; those of a code count for coded families only.
   \exception vpException::badValue : If the parts overlap or are not there: they are, from the centre outward, the white
-  centre, the code track, the white gap, the ring and the quiet zone.
+  centre, the code track, the white gap, the ring and the quiet zone. A disc has a ring from 0 to 1.
 */
 vpCircleMarkerFamily vpCircleMarkerFamily::withLayout(const vpCircleMarkerLayout &layout) const
 {
-  const bool hasRing = layout.ringInner >= 0. && layout.ringInner < 1. && layout.quietZone > 0.;
+  const bool isRing = m_type == DISC ? layout.ringInner == 0. : layout.ringInner > 0. && layout.ringInner < 1.;
+  const bool hasRing = isRing && layout.quietZone > 0. && std::isfinite(layout.quietZone);
   const bool hasCode =
       layout.codeInner > 0. && layout.codeInner < layout.codeOuter && layout.codeOuter < layout.ringInner;
   if (!hasRing || (isCoded() && !hasCode)) {
-    throw vpException(vpException::badValue,
-                      "A marker with a code from %g to %g, a ring from %g to 1 and a quiet zone of %g cannot be "
-                      "printed: the code lies inside of the ring, both inside of the quiet zone",
-                      layout.codeInner, layout.codeOuter, layout.ringInner, layout.quietZone);
+    throw vpException(
+        vpException::badValue,
+        "A marker with a code from %g to %g, a ring from %g to 1 and a quiet zone of %g cannot be "
+        "printed: the code lies inside of the ring, both inside of the quiet zone; a disc's ring begins at "
+        "0, and no other does",
+        layout.codeInner, layout.codeOuter, layout.ringInner, layout.quietZone);
   }
   vpCircleMarkerFamily family(*this);
   family.m_layout = layout;

@@ -28,8 +28,6 @@ std::string vpCircleMarkerRejectName(vpCircleMarkerReject reason)
     return "none";
   case Reject::TOO_SHORT:
     return "too short";
-  case Reject::TOO_LONG:
-    return "too long";
   case Reject::LITTLE_BEND:
     return "little bend";
   case Reject::BRIGHT_INSIDE:

@@ -19,6 +19,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include <visp3/core/vpException.h>
 
@@ -158,7 +160,7 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
     isOver = isOver || !someAreNone;
   }
   if (keepsDebug) {
-    keepCandidates(outlines);
+    keepCandidates(visit, outlines);
   }
 }
 
@@ -170,14 +172,14 @@ void vpDetectorCircleMarker::Impl::choose(const Visit &visit, const Outlines &ou
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     Examination &examination = m_examinations[i];
     const bool isWaiting = !examination.isOver;
-    if (isWaiting && m_chosenPlaces.hold(outlines[i].ellipse)) {
+    if (isWaiting && m_chosenPlaces.hold(outlines[i].ellipse, visit.camera)) {
       continue;
     }
     if (isWaiting && !examination.isRead && !visit.deadline.hasPassed()) {
       read(visit, outlines[i], m_benches.front(), examination);
     }
     if (examination.marker) {
-      m_chosenPlaces.add(outlines[i].ellipse, examination.marker->family.getType() == vpCircleMarkerFamily::DISC);
+      m_chosenPlaces.add(outlines[i].ellipse, *examination.marker);
     }
     if (isWaiting && examination.marker) {
       m_chosen.push_back(i);
@@ -241,17 +243,17 @@ void vpDetectorCircleMarker::Impl::readTogether(const Visit &visit, const Outlin
     for (std::size_t i = 0; i < outlines.size(); ++i) {
       const Examination &examination = m_examinations[i];
       const bool isUnread = !examination.isOver && !examination.isRead;
-      if ((!isUnread && !examination.marker) || (isUnread && m_chosenPlaces.hold(outlines[i].ellipse))) {
+      if ((!isUnread && !examination.marker) || (isUnread && m_chosenPlaces.hold(outlines[i].ellipse, visit.camera))) {
         continue;
       }
       if (isUnread) {
         m_chosen.push_back(i);
       }
       if (examination.marker) {
-        m_chosenPlaces.add(outlines[i].ellipse, examination.marker->family.getType() == vpCircleMarkerFamily::DISC);
+        m_chosenPlaces.add(outlines[i].ellipse, *examination.marker);
       }
       else if (!isLast) {
-        m_chosenPlaces.add(outlines[i].ellipse, true); // of an unread one nothing is known: all of it
+        m_chosenPlaces.add(outlines[i].ellipse);
       }
     }
     m_workers.run(m_chosen.size(), [&](std::size_t k, unsigned int worker) {
@@ -270,6 +272,18 @@ const vpDetectorCircleMarker::Impl::Found &vpDetectorCircleMarker::Impl::at(std:
                       static_cast<unsigned long>(index), static_cast<unsigned long>(found.size()));
   }
   return found[index];
+}
+
+/*! As if no image had been seen: what an image that was not finished has left is of no use. */
+void vpDetectorCircleMarker::Impl::forgetResults() noexcept
+{
+  found.clear();
+  detections.clear();
+  outlineCount = 0;
+  searched.clear();
+  debug = vpCircleMarkerDebug();
+  m_inverse.clear();
+  forgetTracks();
 }
 
 /*!
@@ -304,11 +318,15 @@ vpDetectorCircleMarker::vpDetectorCircleMarker(const vpDetectorCircleMarker &oth
 vpDetectorCircleMarker &vpDetectorCircleMarker::operator=(const vpDetectorCircleMarker &other)
 {
   if (this != &other) {
-    m_polygon = other.m_polygon;
-    m_message = other.m_message;
+    // Copied first: if there is no memory for a copy, this one stays as it is.
+    auto impl = std::make_unique<Impl>(*other.m_impl);
+    auto polygon = other.m_polygon;
+    auto message = other.m_message;
+    m_impl = std::move(impl);
+    m_polygon = std::move(polygon);
+    m_message = std::move(message);
     m_nb_objects = other.m_nb_objects;
     m_timeout_ms = other.m_timeout_ms;
-    m_impl.reset(new Impl(*other.m_impl));
   }
   return *this;
 }
@@ -317,11 +335,13 @@ vpDetectorCircleMarker::~vpDetectorCircleMarker() = default;
 
 /*!
   Finds and reads the markers of an image whose camera is not known. Their poses are then to be had from getPose();
-  those in getDetections() belong to a nominal camera and a marker of 1 m.
+  those in getDetections() belong to a nominal camera, and to a marker of 1 m unless setMarkerSizes() or the database
+  know it.
 
   \param I : Grey level image.
   \return Whether a marker was found.
   \exception vpException::dimensionError : If the image has a side of less than 16 or more than 32767 pixels.
+  \exception vpException::fatalError : If the system does not give the threads of setNbThreads().
 */
 bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I)
 {
@@ -343,6 +363,10 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I)
   \return Whether a marker was found.
   \exception vpException::dimensionError : If the image has a side of less than 16 or more than 32767 pixels.
   \exception vpException::badValue : If the size is not positive.
+  \exception vpException::fatalError : If the system does not give the threads of setNbThreads().
+
+  After an exception for the image or the size the detector has the markers of the image before; after any other, want
+  of memory for instance, it has none, and markers are not followed any more.
 */
 bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
                                     std::vector<vpHomogeneousMatrix> &cMo_vec,
@@ -351,11 +375,32 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size
 {
   circle_marker::checkMarkerSize(size);
   checkImageSize(I);
-  m_impl->detect(I, size, cam, circle_marker::Deadline(static_cast<double>(m_timeout_ms)));
+  try {
+    m_impl->detect(I, size, cam, circle_marker::Deadline(static_cast<double>(m_timeout_ms)));
+    fillOutputs(cMo_vec, cMo_vec2, projErrors, projErrors2);
+  }
+  catch (...) {
+    m_impl->forgetResults();
+    m_nb_objects = 0;
+    m_polygon.clear();
+    m_message.clear();
+    throw;
+  }
+  if (m_impl->displayTag) {
+    displayTags(I, m_impl->displayColor, m_impl->displayThickness);
+  }
+  return m_nb_objects > 0;
+}
+
+// Gives the image's markers to the outputs of detect(), and to what vpDetectorBase keeps.
+void vpDetectorCircleMarker::fillOutputs(std::vector<vpHomogeneousMatrix> &cMo_vec,
+                                         std::vector<vpHomogeneousMatrix> *cMo_vec2, std::vector<double> *projErrors,
+                                         std::vector<double> *projErrors2)
+{
   using Detection = vpCircleMarkerDetection;
   using Matrix = vpHomogeneousMatrix;
   m_nb_objects = m_impl->detections.size();
-  // Assigned, not made anew, as above.
+  // Assigned, not made anew: ViSP's matrices then keep their memory.
   const auto fill = [this](auto *output, auto value) {
     if (output == nullptr) {
       return;
@@ -376,10 +421,6 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size
     putMessage(detection, m_impl->database.find(detection.family, detection.id), m_message[i]);
     m_polygon[i] = m_impl->found[i].polygon;
   }
-  if (m_impl->displayTag) {
-    displayTags(I, m_impl->displayColor, m_impl->displayThickness);
-  }
-  return m_nb_objects > 0;
 }
 
 END_VISP_NAMESPACE

@@ -59,11 +59,11 @@ std::string vpCircleMarkerCandidate::getText() const
   Adds the outlines in their order to what is shown. Of one inside of a marker, only that it lies there: whether it was
   read before that was known depends on the number of threads.
 */
-void vpDetectorCircleMarker::Impl::keepCandidates(const Outlines &outlines)
+void vpDetectorCircleMarker::Impl::keepCandidates(const Visit &visit, const Outlines &outlines)
 {
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     std::vector<vpCircleMarkerCandidate> &candidates = m_examinations[i].candidates;
-    if (!m_examinations[i].isFound && m_chosenPlaces.hold(outlines[i].ellipse)) {
+    if (!m_examinations[i].isFound && m_chosenPlaces.hold(outlines[i].ellipse, visit.camera)) {
       candidates = {candidateOf(outlines[i], settings.families.front(), vpCircleMarkerReject::INSIDE_OF_A_MARKER)};
     }
     else if (candidates.empty()) {

@@ -62,6 +62,8 @@ public:
 
   void forgetTracks();
 
+  void forgetResults() noexcept;
+
   circle_marker::DetectorSettings settings;        //!< All that a user can set.
   vpCircleMarkerDatabase database;                 //!< What is known of the markers.
   bool displayTag = false;                         //!< Whether detect() draws.
@@ -140,7 +142,7 @@ private:
   bool settleChosen(bool isTimeOver);
   void keepSeen(const Outlines &outlines);
   void followSeen(const Visit &visit);
-  void keepCandidates(const Outlines &outlines);
+  void keepCandidates(const Visit &visit, const Outlines &outlines);
   void keepSurroundings(const vpImage<unsigned char> &I);
 
   circle_marker::OutlineMemory m_outlines;            //!< Memory of the rooms up to the outlines.

@@ -77,7 +77,8 @@ unsigned int vpDetectorCircleMarker::getNbOutlines() const
 }
 
 /*!
-  \return Number of sectors of the code that had to be corrected.
+  \return Number of sectors of the code that were read otherwise and had to be corrected. 0 of one whose sectors are too
+  small to be read one by one; sectors that were not seen do not count.
   \exception vpException::badValue : If there is no such marker.
 */
 unsigned int vpDetectorCircleMarker::getHammingDistance(size_t index) const

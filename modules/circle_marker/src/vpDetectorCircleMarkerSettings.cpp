@@ -84,8 +84,11 @@ void vpDetectorCircleMarker::setMarkerSizes(const std::map<int, double> &sizes)
 }
 
 /*!
-  \param distance : Most sectors of a code that are corrected (2 by default). The codes of distance 7 correct 3: every
-  word of golay23 is then a marker, so keep to 2 at most where phantoms matter.
+  \param distance : Most sectors of a code that are corrected (2 by default): that were read, and against the code. The
+  more are wrong the less the image looks like the marker, which is demanded, too: of golay23 hardly one with three is
+  found at any distance. Sectors that are not seen are not corrected: a misprinted one can pass for one that something
+  covers, whatever the distance; and markers with sectors too small to be read one by one are read as a whole, unless
+  the distance is 0.
 */
 void vpDetectorCircleMarker::setMaximumHammingDistance(unsigned int distance)
 {
@@ -192,8 +195,10 @@ bool vpDetectorCircleMarker::isZAlignedWithCameraAxis() const
 }
 
 /*!
-  Reads settings from a JSON file; those it does not name stay as they are. Keys: families (list of names), sizes
-  (id to metres), maximumHammingDistance, minimumMargin, refinePose, zAlignedWithCameraAxis, polarity
+  Reads settings from a JSON file; those it does not name stay as they are. Keys: families (list of names, of {"name":
+  "ring", "ratio": inner by outer radius} for other rings, or of {"name", "layout"} for other prints, with the four
+  radii of vpCircleMarkerLayout), sizes (id to metres; -1 for markers without a code), maximumHammingDistance,
+  minimumMargin, refinePose, zAlignedWithCameraAxis, polarity
   ("black on white", "white on black", "both"), threads, tracking, fullSearchPeriod, cameraCovariance (four lists of
   four numbers).
 

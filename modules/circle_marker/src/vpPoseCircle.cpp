@@ -22,6 +22,7 @@
 
 #include <visp3/circle_marker/vpPoseCircle.h>
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -85,9 +86,12 @@ double vpPoseCircle::getRadius() const
 
 /*!
   A second circle around the same centre in the same plane, for instance the inner edge of a ring. The two solutions
-  predict its image at different places. It orders the solutions; the pose stays that of the first circle.
+  predict its image at different places. It orders the solutions; the pose stays that of the first circle. One of the
+  first circle's own radius says nothing.
   \param radius : Its radius, metres.
-  \param Q : Its conic in normalised coordinates, 3 x 3.
+  \param Q : Its conic in normalised coordinates, 3 x 3; of one that is not symmetric, its symmetric part.
+  \exception vpException::badValue : The radius is not positive and finite, or Q is no ellipse.
+  \exception vpException::dimensionError : Q is not 3 x 3.
 */
 void vpPoseCircle::setConcentricCircle(double radius, const vpMatrix &Q)
 {
@@ -98,7 +102,14 @@ void vpPoseCircle::setConcentricCircle(double radius, const vpMatrix &Q)
   m_impl->m_concentricRadius = radius;
 }
 
-/*! The same from points of its contour, pixels. */
+/*!
+  The same from points of its contour.
+  \param radius : Its radius, metres.
+  \param ips : Points of its contour, pixels; no points say nothing.
+  \param cam : Camera, of any model.
+  \exception vpException::badValue : The radius is not positive and finite, or a point is not finite or beyond the field
+  of view of the camera model.
+*/
 void vpPoseCircle::setConcentricCircle(double radius, const std::vector<vpImagePoint> &ips,
                                        const vpCameraParameters &cam)
 {
@@ -134,15 +145,16 @@ void vpPoseCircle::setPriorPose(const vpHomogeneousMatrix &cMo, double sigma)
 /*!
   The same from an expected normal of the circle's plane.
   \param normal : Normal in the camera frame, three coordinates, of either sign and any length.
-  \param sigma : Standard deviation of the angle, radians; 5 degrees by default.
+  \param sigma : Standard deviation of the angle, radians, at least 1e-12; 5 degrees by default.
+  \exception vpException::badValue : The normal is not three finite coordinates, not all zero, or sigma is less.
 */
 void vpPoseCircle::setPriorNormal(const vpColVector &normal, double sigma)
 {
   if (normal.size() != 3 || !isPositive(normal.frobeniusNorm())) {
     refuse("the expected normal must be three finite coordinates, not all zero");
   }
-  if (!isPositive(sigma)) {
-    refuse("the standard deviation of the expected normal must be positive and finite, radians");
+  if (!isDeviation(sigma)) {
+    refuse("the standard deviation of the expected normal must be positive, finite and no less than 1e-12 rad");
   }
   m_impl->m_priorNormal = Eigen::Vector3d(normal[0], normal[1], normal[2]).normalized();
   m_impl->m_priorSigma = sigma;
@@ -208,7 +220,7 @@ double vpPoseCircle::getLogOdds() const
 /*!
   \param cMo : A pose, in either frame convention.
   \return Sum of the squared distances, normalised coordinates, of the contour points to the image of the circle at that
-  pose; a measured ellipse counts as 72 points.
+  pose; a measured ellipse counts as 72 points. HUGE_VAL for a circle behind the camera, which has no image.
   \exception vpException::notInitialized : No radius.
 */
 double vpPoseCircle::computeResidual(const vpHomogeneousMatrix &cMo) const
@@ -216,6 +228,9 @@ double vpPoseCircle::computeResidual(const vpHomogeneousMatrix &cMo) const
   if (!isPositive(m_impl->m_radius)) {
     throw vpException(vpException::notInitialized,
                       "vpPoseCircle: the radius of the circle is not set: see setRadius()");
+  }
+  if (!isPositive(cMo[2][3])) {
+    return HUGE_VAL;
   }
   const Eigen::Matrix3d Q = conicFromPose(cMo, m_impl->m_radius);
   double sum = 0.;
@@ -257,12 +272,14 @@ void vpPoseCircle::setZAlignedWithCameraAxis(bool aligned)
 
 /*!
   \param sigma : Standard deviation of a contour point across the contour in normalised coordinates, pixels / focal
-  length; 1e-4 by default. It scales the covariance and the log-odds.
+  length, at least 1e-12; 1e-4 by default. It scales the covariance and the log-odds.
+  \exception vpException::badValue : It is less, or not finite.
 */
 void vpPoseCircle::setPointSigma(double sigma)
 {
-  if (!isPositive(sigma)) {
-    refuse("the standard deviation of a contour point must be positive and finite, normalised coordinates");
+  if (!isDeviation(sigma)) {
+    refuse("the standard deviation of a contour point must be positive, finite and no less than 1e-12, normalised "
+           "coordinates");
   }
   m_impl->m_sigma = sigma;
 }

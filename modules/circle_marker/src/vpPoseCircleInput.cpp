@@ -47,6 +47,7 @@ Eigen::Vector2d pointOf(const vpImagePoint &ip, const vpCameraParameters &cam)
 /*!
   Adds a contour point.
   \param P : Its image in normalised coordinates, vpPoint::get_x() and get_y(); its 3D coordinates are not used.
+  \exception vpException::badValue : It is not finite.
 */
 void vpPoseCircle::addPoint(const vpPoint &P)
 {
@@ -57,6 +58,7 @@ void vpPoseCircle::addPoint(const vpPoint &P)
   Adds a contour point.
   \param ip : The point in pixels.
   \param cam : Camera, of any model: the point is undistorted with vpPixelMeterConversion::convertPoint().
+  \exception vpException::badValue : It is not finite, or beyond the field of view of the camera model.
 */
 void vpPoseCircle::addPoint(const vpImagePoint &ip, const vpCameraParameters &cam)
 {
@@ -100,8 +102,9 @@ unsigned int vpPoseCircle::getNbPoints() const
 }
 
 /*!
-  \param Q : Conic x^T Q x = 0 in normalised coordinates, 3 x 3, of any scale and sign.
-  \exception vpException::badValue : It is not an ellipse. \exception vpException::dimensionError : It is not 3 x 3.
+  \param Q : Conic x^T Q x = 0 in normalised coordinates, 3 x 3, of any scale and sign; its symmetric part is taken.
+  \exception vpException::badValue : It is not an ellipse.
+  \exception vpException::dimensionError : It is not 3 x 3.
 */
 void vpPoseCircle::setConic(const vpMatrix &Q)
 {
@@ -111,6 +114,8 @@ void vpPoseCircle::setConic(const vpMatrix &Q)
 /*!
   The same for a conic in pixels, x = (u, v, 1). With a camera with distortion the ellipse's outline is undistorted and
   fitted again, which is exact only as far as the image of the circle was an ellipse in pixels.
+  \exception vpException::badValue : It is not an ellipse, or beyond the field of view of the camera model.
+  \exception vpException::dimensionError : It is not 3 x 3.
 */
 void vpPoseCircle::setConic(const vpMatrix &Q, const vpCameraParameters &cam)
 {
@@ -126,13 +131,19 @@ void vpPoseCircle::setConic(const vpMatrix &Q, const vpCameraParameters &cam)
   \f$ K_0 x^2 + K_1 y^2 + 2 K_2 x y + 2 K_3 x + 2 K_4 y + K_5 = 0 \f$, or the five of older versions,
   \f$ x^2 + K_0 y^2 + 2 K_1 x y + 2 K_2 x + 2 K_3 y + K_4 = 0 \f$. Not to be confused with the five parameters
   (x, y, n20, n11, n02): see setMoments().
+  \exception vpException::badValue : It is not an ellipse.
+  \exception vpException::dimensionError : It has neither 5 nor 6 coefficients.
 */
 void vpPoseCircle::setConic(const vpColVector &K)
 {
   m_impl->setEllipse(ellipseOrReason(conicFromCoefficients(K)));
 }
 
-/*! The same for coefficients in pixels, u for x and v for y. */
+/*!
+  The same for coefficients in pixels, u for x and v for y.
+  \exception vpException::badValue : It is not an ellipse, or beyond the field of view of the camera model.
+  \exception vpException::dimensionError : It has neither 5 nor 6 coefficients.
+*/
 void vpPoseCircle::setConic(const vpColVector &K, const vpCameraParameters &cam)
 {
   const Eigen::Matrix3d conic = conicFromCoefficients(K);
@@ -150,6 +161,7 @@ void vpPoseCircle::setConic(const vpColVector &K, const vpCameraParameters &cam)
   \param x, y : Centre of the ellipse (not the image of the circle's centre).
   \param n20, n11, n02 : Centred second moments divided by the area; those of an ellipse of semi-axes a and b along the
   coordinate axes are a^2/4, 0, b^2/4.
+  \exception vpException::badValue : They are not those of an ellipse.
 */
 void vpPoseCircle::setMoments(double x, double y, double n20, double n11, double n02)
 {
@@ -160,7 +172,11 @@ void vpPoseCircle::setMoments(double x, double y, double n20, double n11, double
   m_impl->setEllipse(*ellipse);
 }
 
-/*! The same in pixels: n20 along u, n02 along v. For a camera with distortion see setConic(). */
+/*!
+  The same in pixels: n20 along u, n02 along v. For a camera with distortion see setConic().
+  \exception vpException::badValue : They are not those of an ellipse, or it is beyond the field of view of the camera
+  model.
+*/
 void vpPoseCircle::setMoments(const vpImagePoint &center, double n20, double n11, double n02,
                               const vpCameraParameters &cam)
 {
@@ -195,7 +211,10 @@ void vpPoseCircle::setEllipse(const vpCircle &circle)
   setMoments(circle.get_x(), circle.get_y(), circle.get_n20(), circle.get_n11(), circle.get_n02());
 }
 
-/*! Ellipse of a visual feature: x, y, n20, n11, n02 in normalised coordinates. */
+/*!
+  Ellipse of a visual feature: x, y, n20, n11, n02 in normalised coordinates.
+  \exception vpException::badValue : They are not those of an ellipse.
+*/
 void vpPoseCircle::setEllipse(const vpFeatureEllipse &ellipse)
 {
   setMoments(ellipse.get_x(), ellipse.get_y(), ellipse.get_n20(), ellipse.get_n11(), ellipse.get_n02());
@@ -205,6 +224,7 @@ void vpPoseCircle::setEllipse(const vpFeatureEllipse &ellipse)
   Contour of a tracked dot: its border pixels, moved onto the outline (they lie half a pixel inside in the mean), are
   added as points. The dot's own moments are not used: they are those of the polygon through the centres of the border
   pixels, half a pixel too small all round, and know no distortion.
+  \exception vpException::badValue : The dot has no border, or no ellipse fits it.
 */
 void vpPoseCircle::setEllipse(const vpDot2 &dot, const vpCameraParameters &cam)
 {
@@ -220,7 +240,11 @@ void vpPoseCircle::setEllipse(const vpDot2 &dot, const vpCameraParameters &cam)
   addPoints(*outline, cam);
 }
 
-/*! Ellipse of a moving-edges tracker: its centre and moments in pixels. For a camera with distortion see setConic(). */
+/*!
+  Ellipse of a moving-edges tracker: its centre and moments in pixels. For a camera with distortion see setConic().
+  \exception vpException::badValue : They are not those of an ellipse, or it is beyond the field of view of the camera
+  model.
+*/
 void vpPoseCircle::setEllipse(const vpMeEllipse &ellipse, const vpCameraParameters &cam)
 {
   const vpColVector nij = ellipse.get_nij();

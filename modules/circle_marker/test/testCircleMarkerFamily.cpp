@@ -203,6 +203,27 @@ TEST(CircleMarkerFamily, LayoutsOfAStudyKeepTheCode)
   refused(0.4, 0.6, 1., 0.2);
   refused(0.4, 0.6, 0.8, 0.);
   refused(std::nan(""), 0.6, 0.8, 0.2);
+  refused(0.4, 0.6, 0.8, HUGE_VAL);
+}
+
+TEST(CircleMarkerFamily, ADiscIsBlackToItsCentreAndARingIsNot)
+{
+  const auto isTaken = [](vpCircleMarkerFamily::vpType type, double ringInner) {
+    vpCircleMarkerLayout layout;
+    layout.ringInner = ringInner;
+    try {
+      vpCircleMarkerFamily(type).withLayout(layout);
+      return true;
+    }
+    catch (const vpException &error) {
+      EXPECT_EQ(error.getCode(), vpException::badValue);
+      return false;
+    }
+  };
+  EXPECT_TRUE(isTaken(vpCircleMarkerFamily::DISC, 0.));
+  EXPECT_FALSE(isTaken(vpCircleMarkerFamily::DISC, 0.5));
+  EXPECT_TRUE(isTaken(vpCircleMarkerFamily::RING, 0.5));
+  EXPECT_FALSE(isTaken(vpCircleMarkerFamily::RING, 0.));
 }
 
 TEST(CircleMarkerFamily, UnknownNamesAreRefusedWithTheKnownOnes)

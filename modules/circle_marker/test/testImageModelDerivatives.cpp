@@ -112,6 +112,7 @@ void expectDerivatives(double leastDiameter, double mostDiameter, double precisi
                                   : parameter == 7 ? darkness.bySpread
                                   : parameter < 10 ? darkness.byElongation[parameter - 8]
                                                    : darkness.byBend[parameter - 10];
+          ASSERT_TRUE(std::isfinite(analytic)) << parameter;
           const double numeric = difference(pixel, parameter);
           largest[p] = std::max(largest[p], std::fabs(numeric));
           double &most = seesCorners ? worstAtCorners[p] : worst[p];

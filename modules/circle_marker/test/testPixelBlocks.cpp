@@ -153,6 +153,7 @@ TEST(PixelBlocks, NeighboursInABlockMakeNoDifference)
             }
             DarknessLanes single;
             ImageModel(plane, packed.pattern, blur, own).evaluate(alone, static_cast<PixelSight>(kind), single);
+            ASSERT_TRUE(std::isfinite(single.value[0]));
             worst = std::max(worst, static_cast<double>(std::abs(single.value[0] - together.value[lane])));
           }
         }

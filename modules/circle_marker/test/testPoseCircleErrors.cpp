@@ -149,10 +149,25 @@ TEST(PoseCircleErrors, CircleBehindTheCamera)
   expectReason([&] { pose.setEllipse(vpCircle()); }, "moments");
 }
 
+TEST(PoseCircleErrors, ResidualOfAPoseBehindTheCamera)
+{
+  vpPoseCircle pose(0.1);
+  pose.setMoments(0., 0., 0.0025, 0., 0.0025); // seen from the front at 1 m
+  vpHomogeneousMatrix cMo;
+  pose.computePose(cMo);
+  EXPECT_LT(pose.computeResidual(cMo), 1e-20);
+  cMo[2][3] = -cMo[2][3]; // the same cone, on the other side
+  EXPECT_EQ(pose.computeResidual(cMo), HUGE_VAL);
+  cMo[2][3] = nan_;
+  EXPECT_EQ(pose.computeResidual(cMo), HUGE_VAL);
+}
+
 TEST(PoseCircleErrors, Settings)
 {
   vpPoseCircle pose(0.1);
   expectReason([&] { pose.setPointSigma(0.); }, "standard deviation");
+  expectReason([&] { pose.setPointSigma(1e-300); }, "standard deviation");
+  expectReason([&] { pose.setPriorPose(vpHomogeneousMatrix(), 1e-300); }, "standard deviation");
   expectReason([&] { pose.setPriorNormal(vpColVector(3, 0.)); }, "normal");
   expectReason([&] { pose.setPriorNormal(vpColVector(2, 1.)); }, "normal");
   expectReason([&] { pose.setPriorPose(vpHomogeneousMatrix(), -1.); }, "standard deviation");

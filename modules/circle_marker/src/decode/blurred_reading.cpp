@@ -343,7 +343,6 @@ std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const
     BlurredReading reading;
     reading.fit = turned;
     reading.unexplained = words.squares / turned.plain;
-    reading.excess = words.squares / turned.squares;
     reading.code.id = identity->id;
     reading.code.margin = 1. - words.squares / words.next;
     reading.code.spin = 2. * M_PI * identity->rotation / family.getNbSectors();

@@ -48,7 +48,6 @@ struct BlurredReading
   BlurredPoses poses;      //!< How well both are known.
   CodeReading code;        //!< Its margin: 1 - what the codeword leaves unexplained, by what the next one leaves.
   double unexplained = 1.; //!< Share of the variance that the codeword leaves.
-  double excess = 1.;      //!< And by what sectors of any grey leave.
 };
 
 /*!

@@ -24,8 +24,31 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Inside a ring there is room for another marker in its white centre only, of this radius in units of the ring's.
-constexpr double whiteCenter = 0.4;
+// Of the white of a ring without a code: an outline that reaches nearer to the ring's inner edge is that edge again.
+constexpr double roomOfWhite = 0.95;
+
+// Radius of the white in a marker's middle, in units of its outer radius.
+double roomOf(const Recognition &marker)
+{
+  const vpCircleMarkerFamily &family = marker.family;
+  return family.isCoded() ? family.getLayout().codeInner : roomOfWhite * marker.ringInner; // 0 for a disc
+}
+
+// Whether a circle about the centre of a marker's print holds an outline, as eight of its points show it.
+bool isWithin(const EllipseParameters &outline, const MarkerPlane &plane, double radius, const CameraModel &camera)
+{
+  constexpr int points = 8;
+  const Eigen::Rotation2Dd turn(outline.angle);
+  for (int i = 0; i < points; ++i) {
+    const double t = 2. * M_PI * i / points;
+    const Eigen::Vector2d point =
+        outline.center + turn * Eigen::Vector2d(outline.a * std::cos(t), outline.b * std::sin(t));
+    if (!(plane.intersect(camera.toMeter(point)).norm() <= radius)) {
+      return false;
+    }
+  }
+  return true;
+}
 } // namespace
 
 void MarkerPlaces::reset(int width, int height)
@@ -34,27 +57,39 @@ void MarkerPlaces::reset(int width, int height)
   m_index.reset(width, height);
 }
 
-void MarkerPlaces::add(const EllipseParameters &outline, bool isDisc)
+void MarkerPlaces::add(const EllipseParameters &outline, const Recognition &marker)
 {
+  keep({outline, Eigen::Matrix2d::Zero(), roomOf(marker), marker.poses});
+}
+
+void MarkerPlaces::add(const EllipseParameters &outline)
+{
+  keep({outline, Eigen::Matrix2d::Zero(), 0., PosePair()});
+}
+
+void MarkerPlaces::keep(Place place)
+{
+  const EllipseParameters &outline = place.outline;
   const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-outline.angle).toRotationMatrix();
-  const Eigen::Matrix2d toUnit = Eigen::Vector2d(1. / outline.a, 1. / outline.b).asDiagonal() * turn;
+  place.toUnit = Eigen::Vector2d(1. / outline.a, 1. / outline.b).asDiagonal() * turn;
   const auto number = static_cast<int>(m_places.size());
-  m_places.push_back({outline, toUnit, isDisc ? 0. : whiteCenter});
   // Half the sides of the box around an ellipse: the norms of its axes' components.
   const double halfWidth = std::hypot(outline.a * turn(0, 0), outline.b * turn(1, 0));
   const double halfHeight = std::hypot(outline.a * turn(0, 1), outline.b * turn(1, 1));
   m_index.addBox(number, outline.center.x() - halfWidth, outline.center.y() - halfHeight,
                  outline.center.x() + halfWidth, outline.center.y() + halfHeight);
+  m_places.push_back(place);
 }
 
-bool MarkerPlaces::hold(const EllipseParameters &outline) const
+bool MarkerPlaces::hold(const EllipseParameters &outline, const CameraModel &camera) const
 {
   return m_index.any(outline.center.x(), outline.center.y(), 0., [&](int number) {
     const Place &place = m_places[static_cast<std::size_t>(number)];
-    // Distance of the centres, and the larger reach of the outline, in units of the marker.
-    const double distance = (place.toUnit * (outline.center - place.outline.center)).norm();
-    const double reach = distance + outline.a / place.outline.a;
-    return distance < 1. && reach > place.room;
+    if (outline.a > place.outline.a || (place.toUnit * (outline.center - place.outline.center)).norm() >= 1.) {
+      return false;
+    }
+    return place.room <= 0. || (!isWithin(outline, place.poses[0], place.room, camera) &&
+                                !isWithin(outline, place.poses[1], place.room, camera));
   });
 }
 } // namespace circle_marker

@@ -20,7 +20,10 @@
 
 #include <vector>
 
+#include "decode/recognise.h"
 #include "ellipse/conic.h"
+#include "pose/marker_plane.h"
+#include "support/camera_model.h"
 #include "support/cell_index.h"
 
 BEGIN_VISP_NAMESPACE
@@ -33,23 +36,30 @@ public:
   void reset(int width, int height);
 
   /*!
-    Keeps the place of a marker.
-    \param outline : Image of its outer edge.
-    \param isDisc : Whether it is black to its centre; another marker may lie in the white centre of a ring.
+    Keeps the place of a marker. Another may lie in its white: in the middle of a code, or of a ring without one.
+    \param outline : Image of its outer edge, pixels.
+    \param marker : What it was read as.
   */
-  void add(const EllipseParameters &outline, bool isDisc);
+  void add(const EllipseParameters &outline, const Recognition &marker);
 
-  /*! Whether an outline is a piece of a marker: its code, or its ring again. */
-  bool hold(const EllipseParameters &outline) const;
+  /*! Keeps the place of an outline of which nothing else is known: it has no room for another. */
+  void add(const EllipseParameters &outline);
+
+  /*! Whether an outline is a piece of a marker that is at least as large: its code, or its ring again. */
+  bool hold(const EllipseParameters &outline, const CameraModel &camera) const;
 
 private:
-  /*! The affine map that makes a marker's outline the unit circle, and how far from its centre there is room. */
+  /*! The affine map that makes a marker's outline the unit circle, and what room there is inside. */
   struct Place
   {
     EllipseParameters outline;
     Eigen::Matrix2d toUnit;
-    double room;
+    double room = 0.; // radius of its white, in units of the outer radius; 0 if there is no room
+    PosePair poses;   // either may be the marker's
   };
+
+  void keep(Place place);
+
   std::vector<Place> m_places;
   CellIndex m_index; //!< By the boxes around them.
 };

@@ -202,7 +202,7 @@ Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const Camera
 {
   const bool isSmallRing = family.getType() == vpCircleMarkerFamily::RING && outline.ellipse.b < leastRingSemiMinor;
   if (outline.support < leastSupport) {
-    return vpCircleMarkerReject::LITTLE_SUPPORT;
+    return vpCircleMarkerReject::NOT_ALL_AROUND;
   }
   if (isSmallRing) {
     return vpCircleMarkerReject::TOO_SMALL;

@@ -34,6 +34,7 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
   memory.left.resize(chains.chains.size());
   memory.known.reset(gradient.width, gradient.height);
   for (EllipseMemory::Bench &bench : memory.benches) {
+    bench.proposals.clear(); // there are some where the last search was ended by an exception
     bench.refusals.clear();
     bench.loose.clear();
     bench.caps.clear();

@@ -37,6 +37,12 @@ bool isPositive(double value)
   return value > 0. && std::isfinite(value);
 }
 
+bool isDeviation(double value)
+{
+  constexpr double least = 1e-12; // its square divides: what is measured to 1e-12 is exact
+  return std::isfinite(value) && value >= least;
+}
+
 Eigen::Matrix3d conicFromMatrix(const vpMatrix &Q)
 {
   if (Q.getRows() != 3 || Q.getCols() != 3) {

@@ -44,6 +44,9 @@ VP_NORETURN void refuse(const std::string &reason);
 /*! Whether a value is positive and finite. */
 bool isPositive(double value);
 
+/*! Whether a value can be a standard deviation: finite, and not so small that its inverse square is none. */
+bool isDeviation(double value);
+
 /*! Symmetric part of a 3 x 3 matrix; vpException::dimensionError for another size. */
 Eigen::Matrix3d conicFromMatrix(const vpMatrix &Q);
 

@@ -59,7 +59,7 @@ struct vpCircleMarkerDetection
 {
   vpCircleMarkerFamily family;          //!< Family the marker belongs to.
   int id = -1;                          //!< Identity in the family; -1 for a family without code.
-  unsigned int hamming = 0;             //!< Number of sectors that had to be corrected.
+  unsigned int hamming = 0;             //!< Number of sectors that had to be corrected: see getHammingDistance().
   double margin = 0.;                   //!< Decision margin in [0, 1]: see vpDetectorCircleMarker::getMargin().
   double size = 0.;                     //!< Outer diameter of the ring used for the poses, metres.
   unsigned int dof = 5;                 //!< Degrees of freedom that were measured: 6 with a code, 5 without.

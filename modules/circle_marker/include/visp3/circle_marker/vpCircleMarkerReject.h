@@ -39,7 +39,6 @@ enum class vpCircleMarkerReject
   NONE, //!< It was taken.
   // A chain of edge pixels that is no outline
   TOO_SHORT,       //!< Too few edge points.
-  TOO_LONG,        //!< Longer than any outline inside of the image.
   LITTLE_BEND,     //!< No piece of it bends enough to fix an ellipse.
   BRIGHT_INSIDE,   //!< The outline of something bright, or no outline at all.
   NOT_AN_ELLIPSE,  //!< No ellipse fits, or its axes are out of bounds.

@@ -161,6 +161,10 @@ public:
 
 private:
   class Impl;
+
+  void fillOutputs(std::vector<vpHomogeneousMatrix> &cMo_vec, std::vector<vpHomogeneousMatrix> *cMo_vec2,
+                   std::vector<double> *projErrors, std::vector<double> *projErrors2);
+
   std::unique_ptr<Impl> m_impl; //!< Settings, working memory and results.
 };
 
