@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <opencv2/core.hpp>
@@ -197,6 +198,38 @@ TEST(DetectorDebug, AnyNumberOfThreadsGivesTheSame)
     EXPECT_EQ(p.ellipse.a, q.ellipse.a);
     EXPECT_EQ(p.margin, q.margin);
   }
+}
+
+// To measure a letter that looks like a marker takes milliseconds, and there are hundreds.
+TEST(DetectorDebug, APageOfTextIsNotMeasuredLetterByLetter)
+{
+  Random random = randomOfTest();
+  const vpHomogeneousMatrix truth = randomPose(random, 110., 0.5, middleU, middleV);
+  vpImage<unsigned char> I = imageOf(printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(truth), random);
+  cv::Mat pixels = pixelsOf(I);
+  for (int y = 20; y < 480; y += 20) {
+    for (int x = 5; x < 640; x += 13) {
+      if (std::abs(x + 6 - middleU) > 90. || std::abs(y - 6 - middleV) > 90.) { // not on its sheet
+        const std::string letter(1, "abdegopqes"[random() % 10]);
+        cv::putText(pixels, letter, cv::Point(x, y), cv::FONT_HERSHEY_COMPLEX, 0.6, cv::Scalar(30), 1, cv::LINE_AA);
+      }
+    }
+  }
+  std::vector<std::map<Reject, unsigned int>> counts;
+  for (const unsigned int threads : {1u, 2u}) {
+    vpDetectorCircleMarker detector;
+    detector.setNbThreads(threads);
+    detector.setDebug(true);
+    detector.detect(I);
+    EXPECT_EQ(detector.getTagsId(), std::vector<int>({5}));
+    counts.emplace_back();
+    for (const vpCircleMarkerCandidate &candidate : detector.getRejectedCandidates()) {
+      ++counts.back()[candidate.reason];
+    }
+  }
+  EXPECT_GT(counts[0][Reject::TOO_MANY], 50u);
+  EXPECT_LE(counts[0][Reject::UNLIKE_THE_MODEL], 30u);
+  EXPECT_EQ(counts[0], counts[1]);
 }
 
 TEST(DetectorDebug, ReasonsOfThingsThatAreNoMarkers)

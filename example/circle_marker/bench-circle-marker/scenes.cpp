@@ -121,6 +121,22 @@ cv::Mat smallTargets(int width, int height)
   return pixels;
 }
 
+// A page of small print, whose round letters are dark rings.
+cv::Mat lettering(int width, int height, Random &random)
+{
+  constexpr int line = 20;      // pixels
+  constexpr int letter = 13;    // pixels
+  constexpr double scale = 0.6; // of OpenCV's font: letters of 14 pixels
+  cv::Mat pixels(height, width, CV_8U, cv::Scalar(200));
+  for (int y = line; y < height; y += line) {
+    for (int x = letter / 2; x < width; x += letter) {
+      const std::string text(1, static_cast<char>('a' + random() % 26));
+      cv::putText(pixels, text, cv::Point(x, y), cv::FONT_HERSHEY_COMPLEX, scale, cv::Scalar(30), 1, cv::LINE_AA);
+    }
+  }
+  return pixels;
+}
+
 // Circles of any size across one another.
 cv::Mat crossingRings(int width, int height, Random &random)
 {
@@ -249,8 +265,8 @@ Scene makeScene(const SceneOptions &options)
 
 std::vector<std::string> hardImages()
 {
-  return {"checkerboard8", "checkerboard2", "noise",          "blobs",
-          "nested-rings",  "small-targets", "crossing-rings", "defocused-tracks"};
+  return {"checkerboard8",  "checkerboard2",    "noise",    "blobs", "nested-rings", "small-targets",
+          "crossing-rings", "defocused-tracks", "lettering"};
 }
 
 vpImage<unsigned char> makeHardImage(const std::string &name, unsigned int width, unsigned int height,
@@ -282,6 +298,9 @@ vpImage<unsigned char> makeHardImage(const std::string &name, unsigned int width
   }
   if (name == "defocused-tracks") {
     return imageOf(defocusedTracks(w, h, random));
+  }
+  if (name == "lettering") {
+    return imageOf(lettering(w, h, random));
   }
   throw vpException(vpException::badValue, "there is no hard image \"%s\"", name.c_str());
 }

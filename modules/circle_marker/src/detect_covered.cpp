@@ -23,9 +23,8 @@
 
 #include "decode/covered_reading.h"
 #include "decode/word_evidence.h"
+#include "outer_edge.h"
 #include "refine/fit_starts.h"
-#include "support/bilinear.h"
-#include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -54,6 +53,11 @@ constexpr double mostNoiseAlone = 1.2;
 // And of its outline this share is found.
 constexpr double leastSupportOfWhole = 0.9;
 
+// And this share of its pixels are what the model makes them. Where fewer are, the others may be the code: of a golay23
+// that was read as another at its mirrored pose 0.7 were, and the ring's fit was perfect; of right ones in any light,
+// noise and blur 0.85 and more.
+constexpr double leastInliersOfWhole = 0.8;
+
 // Of a ring that nothing covers this share is seen: here and there noise hides a direction.
 constexpr double wholeRing = 0.97;
 
@@ -65,39 +69,6 @@ constexpr double mostLackingOfBlurred = 0.08;
 // 20 grey levels on a contrast of 170. A codeword that was read at a wrong pose leaves more.
 constexpr double mostNoiseOfCorrected = 0.12;
 
-// The outer edge is looked at in so many directions, on either side of it by this part of the blur, where a tenth of
-// the other side is left, and by no more than this share of the radius: ring and quiet zone are twice as wide.
-constexpr int directionsOfEdge = 180;
-constexpr double besideEdge = 1.25;
-constexpr double mostBesideEdge = 0.08;
-// The grey levels there may be off by this share of the contrast, and by so many standard deviations of the noise.
-constexpr double sameLevel = 0.2;
-constexpr double sameLevelOfNoise = 3.;
-
-// What a ring's measurement, which started from a pose, tells of its light and blur.
-MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const CameraModel &camera)
-{
-  MeasuredRing ring;
-  ring.plane = fit.plane;
-  const ImageFrame frame = frameOf(start, camera);
-  ring.origin = frame.center;
-  ring.light = fit.photometry.light;
-  ring.slope = fit.photometry.lightGradient / frame.size;
-  ring.absorption = fit.photometry.absorption;
-  ring.gamma = fit.photometry.gamma;
-  ring.growth = fit.photometry.blur.spread;
-  ring.blur = fit.photometry.blur.sigma;
-  ring.blurShape = fit.photometry.blur.shape();
-  ring.noise = fit.noise;
-  if (const auto &shadow = fit.photometry.shadow) {
-    const Eigen::Vector2d toDark(std::cos(shadow->direction), std::sin(shadow->direction));
-    ring.shade = shadow->factor;
-    ring.toShade = toDark / (shadow->softness * frame.size);
-    ring.shadeEdge = shadow->edge / shadow->softness;
-  }
-  return ring;
-}
-
 // What makes a whole marker's reading or fit doubtful.
 struct Doubts
 {
@@ -105,6 +76,7 @@ struct Doubts
   bool isNoisy = false;       // the fit leaves far more than noise
   bool isFaint = false;       // it correlates by less than a print does but for noise
   bool isPartMissing = false; // of the outline
+  bool isPartLeftOut = false; // of the pixels, which are not what the model makes them
   bool isShaded = false;      // the edge of a shadow is not modelled well enough to say much by what is left
   double contrast = 0.;       // grey levels
 };
@@ -117,6 +89,7 @@ Doubts doubtsOf(double noise, double support, const Recognition &marker, const F
   doubts.isNoisy = fit.noise > mostNoiseOfWhole * noise + mostLackingOfWhole * doubts.contrast;
   doubts.isFaint = fit.correlation < correlationOfPrint;
   doubts.isPartMissing = isPartMissing(support);
+  doubts.isPartLeftOut = fit.inliers < leastInliersOfWhole;
   doubts.isShaded = fit.photometry.shadow.has_value();
   return doubts;
 }
@@ -131,7 +104,7 @@ std::optional<WholeVerdict> verdictByFit(const Doubts &doubts, double noise, con
   if (!doubts.isNoisy && doubts.isFaint && fit.noise > mostNoiseAlone * noise) {
     return WholeVerdict::WRONG;
   }
-  if (!doubts.isCorrected && !doubts.isNoisy && !doubts.isPartMissing) {
+  if (!doubts.isCorrected && !doubts.isNoisy && !doubts.isPartMissing && !doubts.isPartLeftOut) {
     return WholeVerdict::RIGHT;
   }
   return std::nullopt;
@@ -238,41 +211,6 @@ std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, co
   evidence.leaveOutUnexplained(marker.family.getCodeword(marker.code.id), reading->seen);
   covered.seen = reading->seen;
   return reading->seen.share() < wholeRing ? std::make_optional(std::move(covered)) : std::nullopt;
-}
-
-double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                     const Measurement &measurement)
-{
-  const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
-  const double slack = sameLevel + sameLevelOfNoise * ring.noiseOfLevel();
-  int visible = 0;
-  for (int i = 0; i < directionsOfEdge; ++i) {
-    const double angle = 2. * M_PI * i / directionsOfEdge;
-    const Eigen::Vector2d toRim(std::cos(angle), std::sin(angle));
-    const auto pixelAt = [&](double radius) { return camera.toPixel(ring.plane.project(radius * toRim)); };
-    // Across the edge: from afar it is slanted to the direction from the centre.
-    const double outer = 1. + ring.growth;
-    const Eigen::Vector2d rim = pixelAt(outer);
-    const Eigen::Vector2d along =
-        camera.toPixel(ring.plane.project(outer * toRim + 0.01 * Eigen::Vector2d(-toRim.y(), toRim.x()))) - rim;
-    const Eigen::Vector2d beyond = pixelAt(outer + mostBesideEdge) - rim;
-    Eigen::Vector2d across = Eigen::Vector2d(along.y(), -along.x()).normalized();
-    across *= across.dot(beyond) < 0. ? -1. : 1.;
-    const double blur = ring.blur * (ring.blurShape * across).norm();
-    const double beside = std::min(besideEdge * blur, across.dot(beyond)); // pixels
-    const double left = NormalDistribution::instance().at(-beside / blur).cumulative;
-    const auto isLevel = [&](double side, double expected) {
-      const Eigen::Vector2d place = rim + side * across;
-      const auto grey = bilinear(I, place);
-      if (!grey) {
-        return false;
-      }
-      const double below = expected - ring.levelAt(place, *grey);
-      return std::abs(below) < slack || (ring.isCutOff(place, *grey) && below > 0.);
-    };
-    visible += isLevel(beside, 1. - left) && isLevel(-beside, left) ? 1 : 0;
-  }
-  return static_cast<double>(visible) / directionsOfEdge;
 }
 
 void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector<Attempt> &attempts)

@@ -63,16 +63,12 @@ enum class WholeVerdict
 
 /*!
   Whether the image shows what a codeword says that was read with corrections, or a part of whose outline is missing, or
-  of which the fit leaves more than noise (without corrections under a shadow this is not asked): at the measured pose,
-  most pixels of the code track have the grey level that it gives them. What each of them may be off grows with their
-  noise, up to where they tell nothing; of markers too small for a pixel to show one sector alone no more is asked.
-  \param I : The image.
-  \param camera : Its camera.
-  \param noise : Standard deviation of the image's noise, grey levels.
-  \param support : Share of the outline that is found.
-  \param marker : The marker, as it was read.
-  \param measurement : Its measured pose.
-  \param memory : Working memory.
+  of which the fit leaves more than noise, or leaves out too many pixels (without corrections under a shadow this is not
+  asked): at the measured pose, most pixels of the code track have the grey level that it gives them. What each of them
+  may be off grows with their noise, up to where they tell nothing; of markers too small for a pixel to show one sector
+  alone no more is asked. \param I : The image. \param camera : Its camera. \param noise : Standard deviation of the
+  image's noise, grey levels. \param support : Share of the outline that is found. \param marker : The marker, as it was
+  read. \param measurement : Its measured pose. \param memory : Working memory.
 */
 WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &camera, double noise, double support,
                         const Recognition &marker, const Measurement &measurement, MeasureMemory &memory);
@@ -100,13 +96,6 @@ std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, co
 
 /*! Whether so little of an outline is found that something may cover a part of it. */
 bool isPartMissing(double support);
-
-/*!
-  Share of the directions in which the image shows the outer edge of a marker of which a part is covered: just inside
-  and just outside of it, at the measured pose, the grey levels are those of ink and paper through the blur.
-*/
-double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                     const Measurement &measurement);
 
 /*! One of the ways to read an outline. */
 struct Attempt

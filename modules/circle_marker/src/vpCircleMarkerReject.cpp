@@ -66,6 +66,8 @@ std::string vpCircleMarkerRejectName(vpCircleMarkerReject reason)
     return "low margin";
   case Reject::UNLIKE_THE_MODEL:
     return "unlike the model";
+  case Reject::TOO_MANY:
+    return "too many";
   case Reject::TIMEOUT:
     return "timeout";
   }

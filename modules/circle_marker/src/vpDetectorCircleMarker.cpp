@@ -34,6 +34,12 @@ using namespace circle_marker;
 namespace {
 // Size of a marker whose size was not told: poses are then in units of its diameter.
 constexpr double unitSize = 1.;
+// Outlines whose code is in doubt and that are none, at most, before all others in doubt are passed over; and so many
+// more for each that is one: where there are small markers there are more. They are measured so many at a time.
+constexpr std::size_t mostDoubtsInVain = 16;
+constexpr std::size_t doubtsForEachProven = 2;
+constexpr std::size_t doubtsAtOnce = 8;
+
 void checkImageSize(const vpImage<unsigned char> &I)
 {
   constexpr unsigned int leastSide = 16;   // pixels
@@ -146,6 +152,8 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
   const Deadline &deadline = visit.deadline;
   m_examinations.assign(outlines.size(), Examination());
   m_measured.clear();
+  m_doubtsInVain = 0;
+  m_doubtsProven = 0;
   listAttempts(settings.families, m_attempts);
   allowBlurred(visit, outlines);
   bool isOver = false;
@@ -203,8 +211,9 @@ bool vpDetectorCircleMarker::Impl::settleChosen(bool isTimeOver)
       continue;
     }
     if (!examination.candidates.empty()) {
-      examination.candidates.back().reason =
-          isTimeOver ? vpCircleMarkerReject::TIMEOUT : vpCircleMarkerReject::UNLIKE_THE_MODEL;
+      examination.candidates.back().reason = isTimeOver                 ? vpCircleMarkerReject::TIMEOUT
+                                             : examination.isPassedOver ? vpCircleMarkerReject::TOO_MANY
+                                                                        : vpCircleMarkerReject::UNLIKE_THE_MODEL;
     }
     examination.marker.reset();
     examination.isRead = false;
@@ -213,14 +222,48 @@ bool vpDetectorCircleMarker::Impl::settleChosen(bool isTimeOver)
   return someAreNone;
 }
 
-/*! The chosen outlines through the room refine, on all threads. */
+/*!
+  The chosen outlines through the room refine. To tell whether one in doubt is a marker takes some milliseconds, and a
+  page of text has hundreds that look like one: those that look most like their code are measured first, a few at a
+  time, until there were too many that are none.
+*/
 void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outlines &outlines)
 {
   for (const std::size_t i : m_chosen) {
     m_examinations[i].place = m_measured.size();
     m_measured.append();
+    m_examinations[i].isPassedOver = false;
   }
-  m_workers.run(m_chosen.size(), [&](std::size_t k, unsigned int worker) {
+  // Those that are certain come first, as they are, then the others by their margin.
+  const auto margin = [this](std::size_t i) {
+    const Recognition &marker = *m_examinations[i].marker;
+    return marker.isCertain ? HUGE_VAL : marker.code.margin;
+  };
+  std::sort(m_chosen.begin(), m_chosen.end(),
+            [&](std::size_t i, std::size_t j) { return margin(i) != margin(j) ? margin(i) > margin(j) : i < j; });
+  const auto isCertain = [this](std::size_t i) { return m_examinations[i].marker->isCertain; };
+  const auto inDoubt = std::find_if_not(m_chosen.begin(), m_chosen.end(), isCertain);
+  auto begin = static_cast<std::size_t>(inDoubt - m_chosen.begin());
+  measureTogether(visit, outlines, 0, begin);
+  // Whatever the number of threads, so many: what is measured does not depend on it.
+  while (begin < m_chosen.size() && m_doubtsInVain < mostDoubtsInVain + doubtsForEachProven * m_doubtsProven) {
+    const std::size_t end = std::min(begin + doubtsAtOnce, m_chosen.size());
+    measureTogether(visit, outlines, begin, end);
+    for (; begin < end; ++begin) {
+      ++(m_examinations[m_chosen[begin]].isFound ? m_doubtsProven : m_doubtsInVain);
+    }
+  }
+  for (; begin < m_chosen.size(); ++begin) {
+    m_examinations[m_chosen[begin]].isPassedOver = true;
+  }
+}
+
+/*! Chosen outlines through the room refine, on all threads. */
+void vpDetectorCircleMarker::Impl::measureTogether(const Visit &visit, const Outlines &outlines, std::size_t begin,
+                                                   std::size_t end)
+{
+  m_workers.run(end - begin, [&](std::size_t task, unsigned int worker) {
+    const std::size_t k = begin + task;
     Examination &examination = m_examinations[m_chosen[k]];
     examination.isFound =
         !visit.deadline.hasPassed() && measureMarker(visit, outlines[m_chosen[k]], *examination.marker,

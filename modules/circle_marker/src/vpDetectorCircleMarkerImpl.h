@@ -88,6 +88,7 @@ private:
     std::optional<circle_marker::Recognition> marker; //!< What it was read as.
     std::size_t place = 0;                            //!< Of what was measured of it, in m_measured.
     bool isFound = false;                             //!< Whether that is a marker.
+    bool isPassedOver = false;                        //!< Whether it was not measured: too many in doubt were none.
     std::vector<vpCircleMarkerCandidate> candidates;  //!< What it was tried as, if that is to be shown.
   };
   /*! Working memory of one thread. */
@@ -139,6 +140,7 @@ private:
                      circle_marker::Recognition marker, Bench &bench, Found &measured) const;
   void choose(const Visit &visit, const Outlines &outlines);
   void measureChosen(const Visit &visit, const Outlines &outlines);
+  void measureTogether(const Visit &visit, const Outlines &outlines, std::size_t begin, std::size_t end);
   bool settleChosen(bool isTimeOver);
   void keepSeen(const Outlines &outlines);
   void followSeen(const Visit &visit);
@@ -161,6 +163,8 @@ private:
   circle_marker::ReusedList<Found> m_measured;        //!< What was measured of outlines.
   std::vector<circle_marker::Attempt> m_attempts;     //!< The ways to read an outline.
   std::vector<std::size_t> m_chosen;                  //!< Outlines to be read or measured together.
+  std::size_t m_doubtsInVain = 0;                     //!< Outlines whose code was in doubt and that were none so far,
+  std::size_t m_doubtsProven = 0;                     //!< and those that were one.
   circle_marker::MarkerPlaces m_chosenPlaces;         //!< Where they are.
   std::vector<Impl> m_inverse;       //!< What looks at the negative, if markers white on black are sought.
   vpImage<unsigned char> m_negative; //!< The negative.

@@ -30,6 +30,7 @@
 #include "refine/report.h"
 #include "debug_record.h"
 #include "measure_proven.h"
+#include "outer_edge.h"
 
 BEGIN_VISP_NAMESPACE
 
@@ -241,6 +242,7 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
   }
   if (settings.refinePose) {
     widenByShapeOfBlur(visit.noise, marker.family.isCoded(), measurement->first);
+    addHaloDoubt(haloOf(visit.I, visit.camera, marker, *measurement), visit.camera, *measurement);
   }
   else if (!marker.blurred) {
     measurement->first.covariance =

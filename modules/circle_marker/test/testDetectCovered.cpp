@@ -90,6 +90,25 @@ TEST(DetectCovered, AnotherCodewordIsNotRight)
   }
 }
 
+// A perfect fit, but of too few of the pixels: those that were left out are the code's.
+TEST(DetectCovered, AnotherCodewordThatWasLeftOutIsNotRight)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene scene = markerScene(random, golay23, i, uniform(random, 50., 80.), uniform(random, 0., 1.), side);
+    const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), noise, random);
+    MeasureMemory memory;
+    const CameraModel camera(scene.camera());
+    auto measurement = measure(I, camera, recognisedAs(scene, i, 0), true, memory);
+    ASSERT_TRUE(measurement);
+    const Recognition other = recognisedAs(scene, i + 20, 0);
+    EXPECT_EQ(judgeWhole(I, camera, noise, 1., other, *measurement, memory), WholeVerdict::RIGHT) << "not asked";
+    measurement->first.inliers = 0.7;
+    EXPECT_NE(judgeWhole(I, camera, noise, 1., other, *measurement, memory), WholeVerdict::RIGHT) << i;
+    EXPECT_EQ(judgeWhole(I, camera, noise, 1., recognisedAs(scene, i, 0), *measurement, memory), WholeVerdict::RIGHT);
+  }
+}
+
 TEST(DetectCovered, WhatIsInFrontOfItIsSeen)
 {
   Random random = randomOfTest();

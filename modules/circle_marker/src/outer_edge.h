@@ -1,0 +1,54 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The outer edge of a measured marker: how much of it is seen, and whether it has a halo.
+ */
+
+#ifndef VP_CIRCLE_MARKER_OUTER_EDGE_H
+#define VP_CIRCLE_MARKER_OUTER_EDGE_H
+
+#include "decode/measured_ring.h"
+#include "decode/recognise.h"
+#include "refine/measure.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! What a ring's measurement, which started from a pose, tells of its light and blur. */
+MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const CameraModel &camera);
+
+/*!
+  Share of the directions in which the image shows the outer edge of a marker of which a part is covered: just inside
+  and just outside of it, at the measured pose, the grey levels are those of ink and paper through the blur.
+*/
+double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                     const Measurement &measurement);
+
+/*!
+  By how much the edge is overdone: beside it the paper is whiter, and the ink blacker, than the blur explains. Cameras
+  that sharpen their images, as most webcams do, leave such a halo.
+  \return The greatest median over all directions, share of the contrast; 0 if it is no more than chance, or if ring and
+  quiet zone are too narrow to tell: of markers below some 25 pixels.
+*/
+double haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+              const Measurement &measurement);
+
+/*!
+  Takes a halo, which the model of the image does not have, into account: the covariance grows by what it may move the
+  edges of a marker outward or inward, which is seen as depth, and the likelihoods of the two poses say less.
+*/
+void addHaloDoubt(double halo, const CameraModel &camera, Measurement &measurement);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
