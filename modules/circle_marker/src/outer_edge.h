@@ -45,7 +45,7 @@ double haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const 
 
 /*!
   Takes a halo, which the model of the image does not have, into account: the covariance grows by what it may move the
-  edges of a marker outward or inward, which is seen as depth, and the likelihoods of the two poses say less.
+  edges of a marker outward or inward, which is seen as depth and tilt, and the likelihoods of the two poses say less.
 */
 void addHaloDoubt(double halo, const CameraModel &camera, Measurement &measurement);
 } // namespace circle_marker

@@ -16,6 +16,7 @@
  */
 
 #include "detect_covered.h"
+#include "outer_edge.h"
 
 #include <gtest/gtest.h>
 
