@@ -63,12 +63,17 @@ enum class WholeVerdict
 
 /*!
   Whether the image shows what a codeword says that was read with corrections, or a part of whose outline is missing, or
-  of which the fit leaves more than noise, or leaves out too many pixels (without corrections under a shadow this is not
+  of which the fit leaves more than noise or leaves out too many pixels (without corrections under a shadow this is not
   asked): at the measured pose, most pixels of the code track have the grey level that it gives them. What each of them
   may be off grows with their noise, up to where they tell nothing; of markers too small for a pixel to show one sector
-  alone no more is asked. \param I : The image. \param camera : Its camera. \param noise : Standard deviation of the
-  image's noise, grey levels. \param support : Share of the outline that is found. \param marker : The marker, as it was
-  read. \param measurement : Its measured pose. \param memory : Working memory.
+  alone no more is asked.
+  \param I : The image.
+  \param camera : Its camera.
+  \param noise : Standard deviation of the image's noise, grey levels.
+  \param support : Share of the outline that is found.
+  \param marker : The marker, as it was read.
+  \param measurement : Its measured pose.
+  \param memory : Working memory.
 */
 WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &camera, double noise, double support,
                         const Recognition &marker, const Measurement &measurement, MeasureMemory &memory);
