@@ -174,6 +174,22 @@ TEST(DetectorDebug, TheResultIsTheSame)
   EXPECT_EQ(differenceOf(with.getDetections()[0].cMo, without.getDetections()[0].cMo), 0.);
 }
 
+// An outline that is followed is not searched for, and what is not searched for leaves no record.
+TEST(DetectorDebug, MarkersThatAreFollowedAreSearchedForAsWell)
+{
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector;
+  detector.setTracking(true, 100);
+  detector.setDebug(true);
+  for (int i = 0; i < 3; ++i) {
+    const vpHomogeneousMatrix cMo = randomPose(random, 100., 0.4, 300. + 3. * i, 240.);
+    detector.detect(imageOf(printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(cMo), random));
+    EXPECT_EQ(detector.getTagsId(), std::vector<int>({5})) << i;
+    EXPECT_FALSE(detector.getDebug().scales.empty()) << i;
+    EXPECT_FALSE(detector.getDebug().candidates.empty()) << i;
+  }
+}
+
 TEST(DetectorDebug, AnyNumberOfThreadsGivesTheSame)
 {
   Random random = randomOfTest();

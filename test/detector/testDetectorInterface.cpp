@@ -55,6 +55,26 @@ TEST(DetectorInterface, MessagesAndLists)
   }
 }
 
+// Of a ring that faces the camera both poses are one.
+TEST(DetectorInterface, WhereThereIsNoSecondPoseItIsTheFirst)
+{
+  constexpr int images = 12;
+  Random random = randomOfTest();
+  int without = 0;
+  for (int i = 0; i < images; ++i) {
+    const vpHomogeneousMatrix truth = randomPose(random, uniform(random, 20., 200.), uniform(random, 0., 0.1));
+    const vpImage<unsigned char> I = imageOf(printed(vpCircleMarkerFamily::RING, -1).setPose(truth), random);
+    vpDetectorCircleMarker detector(vpCircleMarkerFamily::RING);
+    std::vector<vpHomogeneousMatrix> cMo, cMo2;
+    ASSERT_TRUE(detector.detect(I, size, straightCamera(), cMo, &cMo2));
+    if (!detector.getDetections()[0].hasSecondPose) {
+      ++without;
+      EXPECT_EQ(differenceOf(cMo[0], cMo2[0]), 0.);
+    }
+  }
+  EXPECT_GT(without, 0);
+}
+
 TEST(DetectorInterface, SimulatedRingIsPrintedAsTheFamilySays)
 {
   const double ratio = vpCircleMarkerFamily(vpCircleMarkerFamily::RING).getLayout().ringInner;
@@ -390,6 +410,47 @@ TEST(DetectorInterface, CorrectionCanBeForbidden)
     EXPECT_GE(corrected, count - 2) << wrong;
     EXPECT_LE(forbidden, count / 2) << wrong << ": a wrong sector can pass for one that something covers";
   }
+}
+
+// Sectors of a pixel or two cannot be read for certain one by one: all together they prove a code, which is as much as
+// the usual settings ask for, but not who asks for more.
+TEST(DetectorInterface, DoubtfulReadingsAreNoneForWhoAsksForMore)
+{
+  constexpr int images = 30;
+  constexpr double usualMargin = 0.6; // what is asked for unless said otherwise
+  constexpr double demanded = 0.9;
+  Random random = randomOfTest();
+  std::size_t usual = 0;
+  std::size_t uncorrected = 0;
+  std::size_t clear = 0;
+  for (int i = 0; i < images; ++i) {
+    const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    simulator.setBackground(vpSceneBackground::plain(220.));
+    vpSimulatedMarker marker = printed(family, randomId(random, family));
+    simulator.addMarker(marker.setPose(randomPose(random, uniform(random, 9., 13.), uniform(random, 0., 0.6))));
+    vpImage<unsigned char> I;
+    simulator.render(I, random());
+    vpDetectorCircleMarker detector;
+    detector.detect(I);
+    usual += detector.getNbObjects();
+    vpDetectorCircleMarker withoutCorrection;
+    withoutCorrection.setMaximumHammingDistance(0);
+    withoutCorrection.detect(I);
+    uncorrected += withoutCorrection.getNbObjects();
+    for (const vpCircleMarkerDetection &detection : withoutCorrection.getDetections()) {
+      EXPECT_GE(detection.margin, usualMargin) << i;
+    }
+    vpDetectorCircleMarker withMargin;
+    withMargin.setMinimumMargin(demanded);
+    withMargin.detect(I);
+    clear += withMargin.getNbObjects();
+    for (const vpCircleMarkerDetection &detection : withMargin.getDetections()) {
+      EXPECT_GE(detection.margin, demanded) << i;
+    }
+  }
+  EXPECT_LT(uncorrected, usual);
+  EXPECT_LT(clear, usual);
 }
 
 // Half of the sectors of another family's marker agree with some codeword, and the others are not what covers it.

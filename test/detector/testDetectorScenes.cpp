@@ -245,3 +245,46 @@ TEST(DetectorScenes, InverseMarkersAreTracked)
     EXPECT_EQ(detector.getSearchedRegions().size(), 2u) << i;
   }
 }
+
+TEST(DetectorScenes, InverseMarkersHaveTheSizesOfTheDatabase)
+{
+  Random random = randomOfTest();
+  const vpHomogeneousMatrix truth = randomPose(random, 100., 0.4);
+  const vpImage<unsigned char> I =
+      imageOf(printed(vpCircleMarkerFamily::GOLAY23, 9).setInverse(true).setPose(truth), random);
+  vpCircleMarkerEntry entry;
+  entry.id = 9;
+  entry.size = 2. * size;
+  vpCircleMarkerDatabase database;
+  database.add(entry);
+  for (const vpCircleMarkerPolarity polarity : {vpCircleMarkerPolarity::WHITE_ON_BLACK, vpCircleMarkerPolarity::BOTH}) {
+    vpDetectorCircleMarker detector;
+    detector.setPolarity(polarity);
+    detector.setDatabase(database);
+    std::vector<vpHomogeneousMatrix> cMo;
+    ASSERT_TRUE(detector.detect(I, size, straightCamera(), cMo));
+    EXPECT_EQ(detector.getDetections()[0].size, 2. * size);
+    EXPECT_NEAR(cMo[0][2][3], 2. * truth[2][3], 0.02 * truth[2][3]);
+  }
+}
+
+// Else only the regions of those that were followed would be searched.
+TEST(DetectorScenes, WithOtherFamiliesInverseMarkersAreLookedForAnew)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I = imageOf(
+      straightCamera(),
+      {printed(vpCircleMarkerFamily::GOLAY23, 9).setInverse(true).setPose(randomPose(random, 100., 0.4, 180., 180.)),
+       printed(vpCircleMarkerFamily::RING, -1).setInverse(true).setPose(randomPose(random, 100., 0.4, 450., 300.))},
+      random);
+  vpDetectorCircleMarker detector;
+  detector.setPolarity(vpCircleMarkerPolarity::WHITE_ON_BLACK);
+  detector.setTracking(true, 100);
+  for (int i = 0; i < 2; ++i) {
+    detector.detect(I);
+    ASSERT_EQ(detector.getTagsId(), std::vector<int>({9}));
+  }
+  detector.setFamilies({vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING});
+  detector.detect(I);
+  EXPECT_EQ(detector.getNbObjects(), 2u);
+}

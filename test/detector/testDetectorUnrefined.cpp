@@ -92,6 +92,19 @@ Honesty honestyOf(const vpCircleMarkerFamily &family, double diameter, Random &r
   honesty.normal /= right;
   return honesty;
 }
+
+// Variance of the turn about the marker's normal.
+double spinVariance(const vpHomogeneousMatrix &cMo, const vpMatrix &covariance)
+{
+  Eigen::Matrix3d turns;
+  for (unsigned int row = 0; row < 3; ++row) {
+    for (unsigned int column = 0; column < 3; ++column) {
+      turns(row, column) = covariance[3 + row][3 + column];
+    }
+  }
+  const Eigen::Vector3d normal = rotationOf(cMo).col(2);
+  return normal.dot(turns * normal);
+}
 } // namespace
 
 TEST(DetectorUnrefined, CovarianceAndOddsAreThoseOfTheClosedForm)
@@ -124,5 +137,21 @@ TEST(DetectorUnrefined, CoveredMarkersAndThinRingsToo)
     EXPECT_LT(thin.depth, 4.) << diameter;
     EXPECT_LT(thin.normal, 4.) << diameter;
     EXPECT_GT(thin.found, 15u) << diameter;
+  }
+}
+
+// The sectors' places are tried in steps of an eighth of a sector: the reading is off by up to half of a step.
+TEST(DetectorUnrefined, SpinIsKnownToHalfAStepOfTheReading)
+{
+  constexpr double halfStep = 0.5 * 2. * M_PI / (8. * 23.);
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector;
+  detector.setRefinePose(false);
+  for (int i = 0; i < 5; ++i) {
+    const vpImage<unsigned char> I =
+        imageOf(printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(randomPose(random, 100., 0.4)), random);
+    std::vector<vpHomogeneousMatrix> cMo;
+    ASSERT_TRUE(detector.detect(I, size, straightCamera(), cMo));
+    EXPECT_NEAR(spinVariance(cMo[0], detector.getCovariance(0)), halfStep * halfStep, 0.05 * halfStep * halfStep);
   }
 }

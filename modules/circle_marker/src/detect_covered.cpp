@@ -79,6 +79,8 @@ struct Doubts
   bool isPartLeftOut = false; // of the pixels, which are not what the model makes them
   bool isShaded = false;      // the edge of a shadow is not modelled well enough to say much by what is left
   double contrast = 0.;       // grey levels
+
+  bool isPartLeftOutOnly() const { return isPartLeftOut && !isCorrected && !isNoisy && !isPartMissing; }
 };
 
 Doubts doubtsOf(double noise, double support, const Recognition &marker, const FittedPose &fit)
@@ -171,7 +173,9 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
   const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
   TrackPixels pixels(I, camera, ring, marker.family, memory.track);
   pixels.turnTo(0.);
-  return verdictByPixels(doubts, noise, measurement.first, pixels, marker.family.getCodeword(marker.code.id));
+  const WholeVerdict verdict =
+      verdictByPixels(doubts, noise, measurement.first, pixels, marker.family.getCodeword(marker.code.id));
+  return verdict == WholeVerdict::COVERED && doubts.isPartLeftOutOnly() ? WholeVerdict::DOUBTFUL : verdict;
 }
 
 bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,

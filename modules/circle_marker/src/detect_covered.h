@@ -56,9 +56,10 @@ enum class ReadingKind
 /*! What the image says of a marker that was read as a whole one, at its measured pose. */
 enum class WholeVerdict
 {
-  RIGHT,   //!< It shows what the codeword says.
-  COVERED, //!< Something covers a part of it, which is in the fit: it should be left out.
-  WRONG    //!< It shows something else.
+  RIGHT,    //!< It shows what the codeword says.
+  COVERED,  //!< Something covers a part of it, which is in the fit: it should be left out.
+  DOUBTFUL, //!< The fit left out so many pixels that they may show something else: another reading has to agree.
+  WRONG     //!< It shows something else.
 };
 
 /*!

@@ -53,6 +53,9 @@ constexpr double blurOfInterpolation = 0.41;
 constexpr double leastHalo = 0.015;
 constexpr double shiftOfHalo = 14.;
 constexpr double leastCosine = 0.2; // of the tilt: at 80 degrees, beyond which the ring is seldom as wide as a halo
+// In a blur that is wider than this, standard deviation, pixels, it is the blur's shape that is seen
+// (refine/blur_shape.h).
+constexpr double widestBlur = 1.2;
 // From this halo on less than half of the odds is believed: of one of 0.2 mirrored poses came first with e^11 and e^32.
 constexpr double halvingHalo = 0.06;
 
@@ -199,7 +202,7 @@ double haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const 
 
 void addHaloDoubt(double halo, const CameraModel &camera, Measurement &measurement)
 {
-  if (std::abs(halo) < leastHalo) {
+  if (halo < leastHalo || measurement.first.photometry.blur.widest() > widestBlur) {
     return;
   }
   addShiftDoubt(halo, camera, measurement.first);

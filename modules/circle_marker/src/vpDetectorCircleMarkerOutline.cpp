@@ -202,14 +202,19 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
                                                  memory, visit.deadline)
                        : std::nullopt;
   if (covered && (marker.code.hamming > 0 || covered->code.id == marker.code.id)) {
+    if (verdict == WholeVerdict::DOUBTFUL && covered->code.id == marker.code.id) {
+      return measurement; // by all pixels: without noise, those left out are off by little
+    }
     scaleTo(sizeOf(*covered, visit), covered->poses);
     if (auto again = measure(visit.I, visit.camera, *covered, true, memory, visit.deadline)) {
       marker = std::move(*covered);
       return again;
     }
   }
-  return !covered && isRightThoughCovered(visit.I, visit.camera, marker, measurement, memory) ? leftOut()
-                                                                                              : std::nullopt;
+  if (covered || !isRightThoughCovered(visit.I, visit.camera, marker, measurement, memory)) {
+    return std::nullopt;
+  }
+  return verdict == WholeVerdict::DOUBTFUL ? measurement : leftOut();
 }
 
 /*! A marker through the room refine; false if it turns out to be none. The place of the result is used again. */
@@ -242,7 +247,9 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
   }
   if (settings.refinePose) {
     widenByShapeOfBlur(visit.noise, marker.family.isCoded(), measurement->first);
-    addHaloDoubt(haloOf(visit.I, visit.camera, marker, *measurement), visit.camera, *measurement);
+    if (!marker.blurred) { // in a wide blur there is no halo to be seen
+      addHaloDoubt(haloOf(visit.I, visit.camera, marker, *measurement), visit.camera, *measurement);
+    }
   }
   else if (!marker.blurred) {
     measurement->first.covariance =

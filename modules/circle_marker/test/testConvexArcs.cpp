@@ -172,3 +172,33 @@ TEST(ConvexArcs, CutAtABluntCorner)
     EXPECT_EQ(arcs.size(), 2u);
   }
 }
+
+// Gradients of the first and the last pixel that noise turns by a tenth of a radian each, toward one another: the arc
+// bends by two tenths more than they say, and must not be dropped for it.
+TEST(ConvexArcs, NoiseDoesNotLowerTheBoundOfTheTurn)
+{
+  constexpr int imageSide = 200;
+  constexpr double noiseOfDirection = 0.1; // rad
+  constexpr double turnOfArc = 0.85;       // rad, less than what an arc has to have
+  constexpr double magnitude = 400.;
+  for (const double radius : {20., 40., 80.}) {
+    Gradient gradient;
+    gradient.width = imageSide;
+    gradient.height = imageSide;
+    gradient.vectors.assign(static_cast<std::size_t>(imageSide) * imageSide, GradientVector{0, 0});
+    EdgeChains chains;
+    const int last = static_cast<int>(turnOfArc * radius);
+    for (int i = 0; i <= last; ++i) {
+      const double angle = turnOfArc * i / last;
+      const double seen = angle + (i == 0 ? noiseOfDirection : 0.) - (i == last ? noiseOfDirection : 0.);
+      const EdgePixel pixel = {static_cast<short>(std::lround(100. + radius * std::cos(angle))),
+                               static_cast<short>(std::lround(100. + radius * std::sin(angle)))};
+      chains.pixels.push_back(pixel);
+      gradient.vectors[gradient.index(pixel.x, pixel.y)] = {
+          static_cast<short>(std::lround(magnitude * std::cos(seen))),
+          static_cast<short>(std::lround(magnitude * std::sin(seen)))};
+    }
+    const EdgeChain chain = {0, chains.pixels.size(), false};
+    EXPECT_GE(mostTurn(gradient, chains, chain), turnOfArc) << radius;
+  }
+}

@@ -159,6 +159,21 @@ TEST(CyclicCode, ConstantAndForeignWordsAreNoMarkers)
   EXPECT_THROW(codeOf(vpCircleMarkerFamily::DISC), vpException);
 }
 
+// Not even one that is a codeword but for bits that no sector has.
+TEST(CyclicCode, BitsBeyondTheSectorsAreNoMarkers)
+{
+  for (const vpCircleMarkerFamily::vpType type : codedFamilies) {
+    const vpCircleMarkerFamily family(type);
+    const CyclicCode &code = codeOf(family);
+    const Word beyond = Word(1) << code.getLength();
+    for (int id = 0; id < static_cast<int>(family.getNbIds()); ++id) {
+      for (unsigned int rotation = 0; rotation < code.getLength(); ++rotation) {
+        ASSERT_FALSE(code.identify(code.rotate(family.getCodeword(id), rotation) | beyond)) << family.getName();
+      }
+    }
+  }
+}
+
 // The Golay code is perfect: the patterns of up to 3 errors are all its cosets, 1 + 23 + 253 + 1771 = 2^11.
 TEST(CyclicCode, GolayCorrectsEveryPatternOfUpToThreeErrors)
 {

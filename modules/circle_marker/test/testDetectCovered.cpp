@@ -16,6 +16,8 @@
  */
 
 #include "detect_covered.h"
+#include "ellipse/conic.h"
+#include "ellipse/fit_conic.h"
 #include "outer_edge.h"
 
 #include <gtest/gtest.h>
@@ -211,4 +213,46 @@ TEST(DetectCovered, VisibleEdgeIsTheShareOfItsDirections)
     const double hidden = distance < -0.5 * diameter ? 0. : 1. - std::acos(distance / (0.5 * diameter)) / M_PI;
     EXPECT_NEAR(visibleEdgeOf(I, camera, marker, *measurement), 1. - hidden, 0.04) << distance;
   }
+}
+
+// A covered ring has the other pose of its circle, too: what is seen of its outline does not tell them apart.
+TEST(DetectCovered, ACoveredMarkerHasItsTwin)
+{
+  constexpr unsigned int wide = 160; // pixels
+  constexpr double diameter = 90.;
+  constexpr double hidden = 22.; // pixels of the centre that are left beside what covers the marker
+  constexpr double tilt = 0.7;   // rad: the twin's normal is twice that away
+  constexpr double support = 0.7;
+  constexpr int scenes = 12;
+  constexpr int pointsOfOutline = 128;
+  Random random = randomOfTest();
+  int found = 0;
+  for (int i = 0; i < scenes; ++i) {
+    const MarkerScene scene = markerScene(random, golay23, i, diameter, tilt, wide);
+    const CoveredScene covered{scene, 0., 0.5 * wide - hidden};
+    const vpImage<unsigned char> I = digitise(expose(wide, wide, blur, covered), noise, random);
+    const CameraModel camera(scene.camera());
+    std::vector<Eigen::Vector2d> along;
+    for (int k = 0; k < pointsOfOutline; ++k) {
+      const double angle = 2. * M_PI * k / pointsOfOutline;
+      along.push_back(camera.toPixel(scene.plane().project(Eigen::Vector2d(std::cos(angle), std::sin(angle)))));
+    }
+    const auto conic = fitEllipse(along.data(), along.size());
+    ASSERT_TRUE(conic);
+    EllipseCandidate outline;
+    outline.conic = *conic;
+    outline.ellipse = *ellipseFromConic(*conic);
+    outline.support = support;
+    outline.contrast = paper - ink;
+    MeasureMemory memory;
+    const auto marker = recogniseByMeasuredRing(I, camera, outline, {scene.plane(), twinOf(scene.plane())}, golay23,
+                                                DecodeSettings(), memory);
+    if (!marker) {
+      continue;
+    }
+    ++found;
+    EXPECT_EQ(marker->code.id, i);
+    EXPECT_NEAR(std::acos(marker->poses[0].rotation.col(2).dot(marker->poses[1].rotation.col(2))), 2. * tilt, 0.3) << i;
+  }
+  EXPECT_GT(found, scenes / 2);
 }

@@ -241,3 +241,26 @@ TEST(EdgeChains, ShortChainsAreDropped)
   EXPECT_TRUE(linked.edges.chains.empty());
   EXPECT_TRUE(linked.edges.pixels.empty());
 }
+
+// A flat row across the edge ends the walk on either side of it, a pixel or two short of having come around.
+TEST(EdgeChains, ALoopWithAGapOfAPixelIsClosed)
+{
+  constexpr int reachOfEdge = 3; // pixels from its middle to either side
+  int loops = 0;
+  for (double radius = 8.; radius < 40.; radius += 0.7) {
+    const EllipseScene disc = {Eigen::Vector2d(50.3, 49.8), radius, radius, 0.};
+    Linked linked(photograph(100, 100, 0.7, disc));
+    const int column = static_cast<int>(disc.center.x() + radius);
+    for (int x = column - reachOfEdge; x <= column + reachOfEdge; ++x) {
+      linked.gradient.vectors[linked.gradient.index(x, 50)] = {0, 0};
+    }
+    linkEdgeChains(linked.gradient, shortest, linked.edges);
+    for (const EdgeChain &chain : linked.edges.chains) {
+      if (static_cast<double>(chain.length()) > 4. * radius) {
+        ++loops;
+        EXPECT_TRUE(chain.closed) << "radius " << radius;
+      }
+    }
+  }
+  EXPECT_GT(loops, 40);
+}

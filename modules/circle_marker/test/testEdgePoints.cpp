@@ -194,3 +194,29 @@ TEST(EdgePoints, ThinLineHasBothItsEdges)
   EXPECT_LT(left->normal().x(), -0.99);
   EXPECT_GT(right->normal().x(), 0.99);
 }
+
+// The normal is that of the ridge, which may be a pixel beside where it is looked for: there, on a small circle, the
+// gradient has another direction.
+TEST(EdgePoints, NormalsOfSmallCirclesPointOutward)
+{
+  constexpr double lookedAt = 1.2; // pixels from the edge
+  const Eigen::Vector2d center(50.3, 49.8);
+  int looked = 0;
+  for (double radius = 4.; radius < 9.; radius += 0.37) {
+    const EllipseScene disc = {center, radius, radius, 0.};
+    const Gradient gradient = gradientOf(photograph(100, 100, 0.7, disc));
+    for (int y = 35; y < 65; ++y) {
+      for (int x = 35; x < 65; ++x) {
+        if (std::fabs((Eigen::Vector2d(x, y) - center).norm() - radius) > lookedAt) {
+          continue;
+        }
+        if (const auto point = locateEdge(gradient, x, y)) {
+          ++looked;
+          EXPECT_GT(point->normal().dot((point->position - center).normalized()), std::cos(0.2))
+              << "radius " << radius << " at " << x << ", " << y;
+        }
+      }
+    }
+  }
+  EXPECT_GT(looked, 500);
+}

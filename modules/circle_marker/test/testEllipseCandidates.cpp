@@ -318,3 +318,20 @@ TEST(OutlineFitter, FollowsAnOutline)
     EXPECT_NE(fitter.follow(I, gradient, expected, SoughtCenters(), followed), EllipseReject::NONE);
   }
 }
+
+TEST(OutlineFitter, AFollowedEdgeIsNoDarkLine)
+{
+  const EllipseScene disc = {Eigen::Vector2d(75., 75.), 40., 40., 0.};
+  const vpImage<unsigned char> I = photograph(150, 150, 0.7, disc);
+  Gradient gradient;
+  computeGradient(I, gradient);
+  EllipseParameters expected;
+  expected.center = disc.center;
+  expected.a = 40.3;
+  expected.b = 39.8;
+  OutlineFitter fitter;
+  EllipseCandidate followed; // in memory of another one that was
+  followed.isThin = true;
+  ASSERT_EQ(fitter.follow(I, gradient, expected, SoughtCenters(), followed), EllipseReject::NONE);
+  EXPECT_FALSE(followed.isThin);
+}

@@ -156,3 +156,46 @@ TEST(Gradient, PointsToTheBrightSide)
     EXPECT_GT(g.normalized().dot(Eigen::Vector2d(std::cos(angle), std::sin(angle))), 0.98);
   }
 }
+
+// An earlier, wider image of stripes has edges where, in its memory, the rows of another one begin and end.
+TEST(Gradient, MemoryOfAnEarlierImageIsForgotten)
+{
+  vpImage<unsigned char> striped(200, 200);
+  for (unsigned int v = 0; v < striped.getHeight(); ++v) {
+    for (unsigned int u = 0; u < striped.getWidth(); ++u) {
+      striped[v][u] = u / 6 % 2 == 0 ? 30 : 220;
+    }
+  }
+  const EllipseScene disc = {Eigen::Vector2d(80., 90.), 40., 40., 0.};
+  const vpImage<unsigned char> I = photograph(157, 180, 0.7, disc);
+  Gradient fresh;
+  computeGradient(I, fresh);
+  Gradient used;
+  computeGradient(striped, used);
+  computeGradient(I, used);
+  for (int y = 0; y < fresh.height; ++y) {
+    for (int x = 0; x < fresh.width; ++x) {
+      ASSERT_EQ(used.at(x, y).dx, fresh.at(x, y).dx) << x << ", " << y;
+      ASSERT_EQ(used.at(x, y).dy, fresh.at(x, y).dy) << x << ", " << y;
+      if (y % rowsBetweenStarts == firstStartRow) {
+        const auto column = static_cast<std::size_t>(x);
+        ASSERT_EQ(used.strong[used.strongIndex(y) + column], fresh.strong[fresh.strongIndex(y) + column]) << x;
+      }
+    }
+  }
+}
+
+TEST(Gradient, AfterTheDeadlineNothingOfAnEarlierImageIsLeft)
+{
+  const EllipseScene disc = {Eigen::Vector2d(60., 60.), 40., 40., 0.};
+  const vpImage<unsigned char> I = photograph(120, 120, 0.7, disc);
+  Gradient gradient;
+  computeGradient(I, gradient);
+  const Deadline passed(1e-6);
+  while (!passed.hasPassed()) {
+  }
+  computeGradient(I, gradient, passed);
+  for (const GradientVector &vector : gradient.vectors) {
+    ASSERT_EQ(vector.squared(), 0);
+  }
+}

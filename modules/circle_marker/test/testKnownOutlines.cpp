@@ -124,3 +124,20 @@ TEST(KnownOutlines, SurroundsWhatIsInside)
   EXPECT_FALSE(known.outlines.surrounds(center, 0.8)) << "less is found of it";
   EXPECT_FALSE(known.outlines.surrounds(center, 0.7, known.outlines.outlines.size())) << "all are left out";
 }
+
+// The centres of two that are the same may be farther apart than places are looked up by.
+TEST(KnownOutlines, LargeOnesAreTheSameThoughTheirCentresAreFarApart)
+{
+  constexpr int largeSide = 2000;
+  constexpr double semiAxis = 550.; // a tenth of the other one, 44 pixels, may be between the same ones
+  KnownOutlines outlines;
+  outlines.reset(largeSide, largeSide);
+  EllipseCandidate first = candidateAt(ellipseAt(1000., 1000., semiAxis), 0.8);
+  ASSERT_TRUE(outlines.take(first));
+  for (const double away : {-43., -35., 35., 43.}) {
+    EllipseCandidate again = candidateAt(ellipseAt(1000. + away, 1000., semiAxis), 0.7);
+    EXPECT_FALSE(outlines.take(again)) << away;
+  }
+  EllipseCandidate other = candidateAt(ellipseAt(1050., 1000., semiAxis), 0.7);
+  EXPECT_TRUE(outlines.take(other));
+}

@@ -207,3 +207,68 @@ TEST(MarkerTracks, ExpectsTheOutlineWhereItMovesTo)
   tracks.predict(width, height + 1); // another camera
   EXPECT_TRUE(tracks.getExpected().empty());
 }
+
+TEST(MarkerTracks, FastMarkersHaveRoomToChangeTheirSpeed)
+{
+  MarkerTracks tracks;
+  constexpr double way = 120.; // pixels in an image
+  tracks.follow({seenAt(340. - 2. * way, 240.)}, width, height);
+  tracks.follow({seenAt(340. - way, 240.)}, width, height);
+  const std::vector<PixelBox> boxes = tracks.predict(width, height);
+  ASSERT_EQ(boxes.size(), 1u);
+  EXPECT_TRUE(contains(boxes[0], seenAt(340., 240.).outline, 0.5 * way)) << "half as far as it came";
+}
+
+TEST(MarkerTracks, GrowingMarkersHaveRoomToGrow)
+{
+  MarkerTracks tracks;
+  tracks.follow({seenAt(320., 240., 40.)}, width, height);
+  tracks.follow({seenAt(320., 240., 60.)}, width, height);
+  const std::vector<PixelBox> boxes = tracks.predict(width, height);
+  ASSERT_EQ(boxes.size(), 1u);
+  EXPECT_TRUE(contains(boxes[0], seenAt(320., 240., 80.).outline, 8.));
+}
+
+TEST(MarkerTracks, BoxesThatOneGrowsIntoAreOneAsWell)
+{
+  // The first touches neither of the others, but the box around both of them, which is made later, reaches over it.
+  MarkerTracks tracks;
+  const SeenMarker first = seenAt(150., 290., 30., 1);
+  const SeenMarker large = seenAt(200., 110., 60., 2);
+  const SeenMarker beside = seenAt(360., 200., 30., 3);
+  tracks.follow({first, large}, width, height);
+  EXPECT_EQ(tracks.predict(width, height).size(), 2u);
+  tracks.clear();
+  tracks.follow({first, beside}, width, height);
+  EXPECT_EQ(tracks.predict(width, height).size(), 2u);
+  tracks.clear();
+  tracks.follow({first, large, beside}, width, height);
+  const std::vector<PixelBox> boxes = tracks.predict(width, height);
+  ASSERT_EQ(boxes.size(), 1u);
+  for (const SeenMarker &marker : {first, large, beside}) {
+    EXPECT_TRUE(contains(boxes[0], marker.outline, 8.));
+  }
+}
+
+TEST(MarkerTracks, AMarkerOfAnotherFamilyIsAnotherOne)
+{
+  MarkerTracks tracks;
+  const SeenMarker golay23 = seenAt(150., 150.);
+  tracks.follow({golay23}, width, height);
+  tracks.predict(width, height);
+  EXPECT_TRUE(tracks.haveAll({golay23}));
+  SeenMarker bch31 = golay23;
+  bch31.family = vpCircleMarkerFamily::BCH31;
+  EXPECT_FALSE(tracks.haveAll({bch31}));
+}
+
+TEST(MarkerTracks, OfTwoThatItMayHaveBeenItWasTheNearer)
+{
+  // Two rings, one inside of the other's reach; the second one moves by -2 pixels and the first is gone.
+  MarkerTracks tracks;
+  tracks.follow({seenAt(200., 200., 40., -1), seenAt(245., 200., 40., -1)}, width, height);
+  tracks.follow({seenAt(243., 200., 40., -1)}, width, height);
+  tracks.predict(width, height);
+  ASSERT_EQ(tracks.getExpected().size(), 1u);
+  EXPECT_NEAR(tracks.getExpected()[0].center.x(), 241., 1e-9);
+}

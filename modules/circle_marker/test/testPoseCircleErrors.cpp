@@ -149,6 +149,20 @@ TEST(PoseCircleErrors, CircleBehindTheCamera)
   expectReason([&] { pose.setEllipse(vpCircle()); }, "moments");
 }
 
+TEST(PoseCircleErrors, ACircleThatFacesTheCameraMayBeNearerThanItsRadius)
+{
+  // All of it is 0.3 m in front of the camera; only tilted by more than 37 degrees would an edge be behind.
+  constexpr double depth = 0.3, radius = 0.5;
+  vpCircle facing(0., 0., 1., 0., 0., depth, radius);
+  facing.changeFrame(vpHomogeneousMatrix());
+  facing.projection();
+  vpPoseCircle pose(radius);
+  pose.setEllipse(facing);
+  vpHomogeneousMatrix cMo;
+  pose.computePose(cMo);
+  EXPECT_NEAR(cMo[2][3], depth, 1e-9);
+}
+
 TEST(PoseCircleErrors, ResidualOfAPoseBehindTheCamera)
 {
   vpPoseCircle pose(0.1);

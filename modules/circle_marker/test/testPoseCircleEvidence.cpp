@@ -148,6 +148,21 @@ TEST(PoseCircleEvidence, PriorPoseAndNormal)
   }
 }
 
+TEST(PoseCircleEvidence, AConcentricCircleIsForgottenWithTheRest)
+{
+  std::mt19937_64 random = randomOfTest();
+  const View view = randomView(random, 0.1, 0.5, 4., M_PI / 4.);
+  vpPoseCircle pose(0.1);
+  pose.setConic(toVisp(view.exactConic()));
+  pose.setConcentricCircle(0.08, toVisp(innerConic(view, 0.8)));
+  vpHomogeneousMatrix cMo;
+  pose.computePose(cMo);
+  EXPECT_GT(pose.getLogOdds(), 0.);
+  pose.clearEvidence();
+  pose.computePose(cMo);
+  EXPECT_EQ(pose.getLogOdds(), 0.);
+}
+
 TEST(PoseCircleEvidence, CovarianceIsThatOfTheErrors)
 {
   // The squared error in units of the covariance has the mean 5: the degrees of freedom of a circle.
@@ -212,6 +227,7 @@ TEST(PoseCircleEvidence, CovarianceStaysFiniteAlongTheAxis)
   const vpMatrix C = pose.getCovarianceMatrix();
   // The tilt is not seen to first order: the variance of a uniform angle within a right angle either way, at most.
   EXPECT_NEAR(C[3][3], M_PI * M_PI / 12., 0.05);
+  EXPECT_NEAR(C[4][4], M_PI * M_PI / 12., 0.05);
   EXPECT_GT(C[5][5], 3.);
   EXPECT_LT(C[2][2], 1.);
 }

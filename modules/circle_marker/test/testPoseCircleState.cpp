@@ -111,3 +111,17 @@ TEST(PoseCircleState, ConicIsThatOfTheInput)
     }
   }
 }
+
+TEST(PoseCircleState, AnEarlierCovarianceDoesNotStay)
+{
+  const View view = knownView();
+  vpPoseCircle pose(0.1);
+  pose.setConic(toVisp(view.exactConic()));
+  pose.setCovarianceComputation(true);
+  vpHomogeneousMatrix cMo;
+  pose.computePose(cMo);
+  EXPECT_NO_THROW(pose.getCovarianceMatrix());
+  pose.setCovarianceComputation(false);
+  pose.computePose(cMo);
+  EXPECT_THROW(pose.getCovarianceMatrix(), vpException);
+}

@@ -67,6 +67,21 @@ TEST(PoseCircleTrackers, FromDot)
   }
 }
 
+TEST(PoseCircleTrackers, ADotTakesThePlaceOfTheLastOne)
+{
+  const View view = knownView();
+  const vpCameraParameters cam = radial();
+  const vpImage<unsigned char> I = render(view, cam);
+  vpDot2 dot;
+  dot.initTracking(I, exactPixel({0.06, -0.04}, cam), 121, 255);
+  vpPoseCircle pose;
+  pose.setEllipse(dot, cam);
+  const unsigned int count = pose.getNbPoints();
+  EXPECT_GT(count, 100u);
+  pose.setEllipse(dot, cam);
+  EXPECT_EQ(pose.getNbPoints(), count);
+}
+
 TEST(PoseCircleTrackers, FromMovingEdges)
 {
   const View view = knownView();

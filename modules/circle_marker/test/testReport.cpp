@@ -54,6 +54,24 @@ FittedPose farFit(Random &random)
   fit.covariance.bottomRightCorner<3, 3>() = 0.0065 * 0.0065 * Eigen::Matrix3d::Identity();
   return fit;
 }
+
+//! A fit of a marker of any spin near the camera.
+FittedPose nearFit(double spin)
+{
+  FittedPose fit;
+  fit.plane.radius = 0.09;
+  fit.plane.center = Eigen::Vector3d(0.1, 0.05, 1.);
+  fit.plane.rotation = turn(0.4, Eigen::Vector3d::UnitY()) * turn(spin, Eigen::Vector3d::UnitZ());
+  return fit;
+}
+
+vpCircleMarkerDetection reported(const Recognition &marker, const Measurement &measurement)
+{
+  const CameraModel camera(vpCameraParameters(800., 800., 319.5, 239.5));
+  vpCircleMarkerDetection detection;
+  putReport(marker, measurement, camera, 1., true, detection);
+  return detection;
+}
 } // namespace
 
 // Errors drawn from the covariance about the marker's centre, looked at as the convention has it: delta with
@@ -105,4 +123,60 @@ TEST(Report, CovarianceOfDeltaIsRightToSecondOrder)
     }
   }
   EXPECT_NEAR(mean, 6., 0.15); // its own standard deviation is 0.03
+}
+
+// A single random number z moves the centre by tau z along x and turns the marker by omega z about y. To first order
+// the camera sees no motion in depth; to second order, -w x t / 2, there is omega tau z^2 / 2, and the mean of z^4
+// is 3.
+TEST(Report, DepthOfACorrelatedErrorIsOfSecondOrder)
+{
+  constexpr double tau = 0.02;   // m
+  constexpr double omega = 0.05; // rad
+  Recognition marker;
+  marker.family = vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23);
+  marker.code.id = 3;
+  Measurement measurement;
+  measurement.first = nearFit(0.);
+  measurement.first.plane.center = Eigen::Vector3d(0., 0., 1.);
+  Eigen::Matrix<double, 6, 1> error;
+  error << tau, 0., 0., 0., omega, 0.;
+  measurement.first.covariance = error * error.transpose();
+  const vpCircleMarkerDetection detection = reported(marker, measurement);
+  EXPECT_NEAR(detection.covariance[2][2], 3. * std::pow(0.5 * omega * tau, 2.), 1e-12);
+  EXPECT_NEAR(detection.covariance[0][0], std::pow(tau - omega, 2.), 1e-12); // t - w x C
+  EXPECT_NEAR(detection.covariance[4][4], omega * omega, 1e-12);
+}
+
+// The spin of a marker without a code is not seen: whatever both fits have, one is reported.
+TEST(Report, SpinOfAMarkerWithoutACodeIsThatOfTheConvention)
+{
+  Recognition ring;
+  ring.family = vpCircleMarkerFamily(vpCircleMarkerFamily::RING);
+  Measurement measurement;
+  measurement.first = nearFit(0.);
+  measurement.second = nearFit(0.);
+  measurement.cost2 = 1.;
+  const vpCircleMarkerDetection unspun = reported(ring, measurement);
+  measurement.first = nearFit(2.);
+  measurement.second = nearFit(1.);
+  const vpCircleMarkerDetection spun = reported(ring, measurement);
+  for (unsigned int row = 0; row < 3; ++row) {
+    for (unsigned int column = 0; column < 4; ++column) {
+      EXPECT_NEAR(spun.cMo[row][column], unspun.cMo[row][column], 1e-12);
+      EXPECT_NEAR(spun.cMo2[row][column], unspun.cMo2[row][column], 1e-12);
+    }
+  }
+}
+
+TEST(Report, MarginIsNeverNegative)
+{
+  Recognition marker;
+  marker.family = vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23);
+  marker.code.id = 3;
+  Measurement measurement;
+  measurement.first = nearFit(0.);
+  for (const double margin : {-0.2, 0., 0.7}) {
+    marker.code.margin = margin;
+    EXPECT_EQ(reported(marker, measurement).margin, std::max(margin, 0.));
+  }
 }

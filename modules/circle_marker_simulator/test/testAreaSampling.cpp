@@ -15,6 +15,8 @@
  * Area sampling of the simulated camera, against sampling by brute force.
  */
 
+#include <algorithm>
+
 #include "test_support.h"
 
 using namespace simulator_test;
@@ -178,4 +180,17 @@ TEST(AreaSampling, CoincidingEdgesOfTwoSheets)
                    vpSimulatedMarker::ring(0.12, 0.5).setSheetSide(0.15).setPose(cMo),
                    vpSimulatedMarker::disc(0.05).setSheetSide(0.15).setPose(beside)},
                   nothing, {});
+}
+
+TEST(AreaSampling, CornersOfAnOccluderMayGoEitherWayRound)
+{
+  std::vector<vpImagePoint> corners = {{10.25, 12.75}, {10.25, 40.25}, {38.75, 40.25}, {38.75, 12.75}};
+  const auto rectangle = [](double u, double v) -> std::optional<double> {
+    return u >= 12.75 && u <= 40.25 && v >= 10.25 && v <= 38.75 ? std::optional<double>(75.) : std::nullopt;
+  };
+  for (int way = 0; way < 2; ++way) {
+    expectAsSampled(pinhole(WIDTH, HEIGHT, 200.), WIDTH, HEIGHT, {}, rectangle,
+                    {vpSceneOccluder::polygon(corners, 75.)});
+    std::reverse(corners.begin(), corners.end());
+  }
 }

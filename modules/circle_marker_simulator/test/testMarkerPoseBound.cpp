@@ -101,6 +101,21 @@ TEST(MarkerPoseBound, SeparationAgreesWithThePublishedFigures)
   EXPECT_NEAR(limit.separation(at(coded(), 20., 30.)).separation, 4.3, 0.5);
 }
 
+// Noise moves the difference of both poses' squares over noise^2 by a normal variable of twice the separation; the
+// right pose has the separation squared less in the mean: it is beaten where a standard normal variable exceeds half
+// the separation.
+TEST(MarkerPoseBound, WrongChoiceIsThatOfTheSeparation)
+{
+  const vpMarkerPoseBound limit(cam);
+  const auto ring = vpSimulatedMarker::ring(0.2, 0.7);
+  for (const double z : {15., 20., 30.}) {
+    const vpPoseSeparation separation = limit.separation(at(ring, z, 30.));
+    EXPECT_GT(separation.separation, 0.1);
+    EXPECT_NEAR(separation.wrongChoice, 0.5 * std::erfc(0.5 * separation.separation / M_SQRT2), 1e-12) << z;
+  }
+  EXPECT_NEAR(limit.separation(at(ring, 20., 30.)).wrongChoice, 0.040, 0.005) << "beyond half of 3.5";
+}
+
 /*
   Lateral position of a disc that faces the camera, all else known but levels and blur, which are as even about the
   centre as the lateral motion is odd. With r the disc's radius in pixels and C the contrast, an element of edge at the
