@@ -197,7 +197,7 @@ double haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const 
       halo = std::max(halo, std::abs(medianOf(off[k], counts[k])) - byChance);
     }
   }
-  return halo;
+  return std::min(halo, 1.);
 }
 
 void addHaloDoubt(double halo, const CameraModel &camera, Measurement &measurement)

@@ -37,8 +37,8 @@ double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera,
 /*!
   By how much the edge is overdone: beside it the paper is whiter, and the ink blacker, than the blur explains. Cameras
   that sharpen their images, as most webcams do, leave such a halo.
-  \return The greatest median over all directions, share of the contrast; 0 if it is no more than chance, or if ring and
-  quiet zone are too narrow to tell: of markers below some 25 pixels.
+  \return The greatest median over all directions, share of the contrast, at most 1; 0 if it is no more than chance, or
+  if ring and quiet zone are too narrow to tell: of markers below some 25 pixels.
 */
 double haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
               const Measurement &measurement);
