@@ -65,8 +65,8 @@ std::string withHeading(const std::string &file)
 }
 
 /*!
-  Ray of a pixel; nothing if there is none: the distortion is no lens's there (it folds the image), or OpenCV's search for
-  it does not end. Known by the ray's own pixel, which is another.
+  Ray of a pixel; nothing if there is none: the distortion is no lens's there (it folds the image), or OpenCV's search
+  for it does not end. Known by the ray's own pixel, which is another.
 */
 std::optional<Eigen::Vector2d> rayOf(const ForeignCamera &camera, const Eigen::Vector2d &pixel)
 {
@@ -172,7 +172,7 @@ ForeignCamera readForeignCamera(const std::string &file)
 
 Conversion convert(const ForeignCamera &camera, LensModel model)
 {
-  constexpr int steps = 40;          // of a grid over the image; the models are smooth
+  constexpr int steps = 40;           // of a grid over the image; the models are smooth
   constexpr double farthestRay = 50.; // in the plane at the distance 1: at 88.9 degrees from the axis
   // The rays as points of a plane at the distance 1, seen by a camera that stands still.
   Target rays;
