@@ -39,10 +39,10 @@ constexpr double sameLevelOfNoise = 3.;
 // A halo is looked for in so many directions, on either side of the edge at such distances, pixels, inside of the quiet
 // zone to this share of the radius, and inside of half the ring. A fit may take the halo for the paper's grey: then it
 // is the paper beyond that is off. Nearer to the edge interpolation between pixels leaves as much.
-constexpr int directionsOfHalo = 60;
-constexpr std::array<double, 8> distancesOfHalo = {-3.75, -3., -2.25, -1.5, 1.5, 2.25, 3., 3.75};
+constexpr int directionsOfHalo = 36;
+constexpr std::array<double, 6> distancesOfHalo = {-3.75, -2.25, -1.5, 1.5, 2.25, 3.75};
 constexpr double mostBesideHalo = 0.12;
-// Medians are off by 1.25 standard deviations of their numbers' mean; by twice that with one of eight, by chance.
+// Medians are off by 1.25 standard deviations of their numbers' mean; by twice that with one of six, by chance.
 constexpr double deviationsOfMedian = 2.5;
 // Interpolation between pixels blurs, too: its variance is 1/6 in the mean, pixels^2.
 constexpr double blurOfInterpolation = 0.41;
