@@ -54,8 +54,9 @@ constexpr double mostNoiseAlone = 1.2;
 constexpr double leastSupportOfWhole = 0.9;
 
 // And this share of its pixels are what the model makes them. Where fewer are, the others may be the code: of a golay23
-// that was read as another at its mirrored pose 0.7 were, and the ring's fit was perfect; of right ones in any light,
-// noise and blur 0.85 and more.
+// that was read as another at its mirrored pose 0.7 were, and the ring's fit was perfect. Of right ones it is mostly
+// 0.85 and more, but in drawings without noise, where those left out are off by little, it may be less: so it is no
+// verdict, and another reading is asked.
 constexpr double leastInliersOfWhole = 0.8;
 
 // Of a ring that nothing covers this share is seen: here and there noise hides a direction.
