@@ -46,11 +46,9 @@ constexpr double mostBesideHalo = 0.12;
 constexpr double deviationsOfMedian = 2.5;
 // Interpolation between pixels blurs, too: its variance is 1/6 in the mean, pixels^2.
 constexpr double blurOfInterpolation = 0.41;
-// Below this share of the contrast it is what noise, light and gamma leave of a median. Above, it moves the edges by so
-// many pixels, times the halo and by the radius in pixels: the halos of the ring's two edges overlap, and the code's.
-// (Unsharp masks of 1 to 2 times the detail and 1 to 2 pixels moved those of 20 to 250 pixels by 0.004 to 0.045 pixels,
-// 3 to 21 in these units.)
-constexpr double leastHalo = 0.015;
+// It moves the edges by so many pixels, times the halo and by the radius in pixels: the halos of the ring's two edges
+// overlap, and the code's. (Unsharp masks of 1 to 2 times the detail and 1 to 2 pixels moved those of 20 to 250 pixels
+// by 0.004 to 0.045 pixels, 3 to 21 in these units.)
 constexpr double shiftOfHalo = 14.;
 constexpr double leastCosine = 0.2; // of the tilt: at 80 degrees, beyond which the ring is seldom as wide as a halo
 // In a blur that is wider than this, standard deviation, pixels, it is the blur's shape that is seen
@@ -202,7 +200,7 @@ double haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const 
 
 void addHaloDoubt(double halo, const CameraModel &camera, Measurement &measurement)
 {
-  if (halo < leastHalo || measurement.first.photometry.blur.widest() > widestBlur) {
+  if (halo == 0. || measurement.first.photometry.blur.widest() > widestBlur) {
     return;
   }
   addShiftDoubt(halo, camera, measurement.first);

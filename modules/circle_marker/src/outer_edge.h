@@ -24,6 +24,12 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*!
+  A halo below this share of the contrast is what noise, light and gamma leave of a median: up to 0.009 of 300 images
+  that were not sharpened, 0.003 mostly.
+*/
+constexpr double leastHalo = 0.01;
+
 /*! What a ring's measurement, which started from a pose, tells of its light and blur. */
 MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const CameraModel &camera);
 

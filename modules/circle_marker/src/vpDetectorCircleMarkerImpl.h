@@ -30,6 +30,7 @@
 #include "refine/measure.h"
 #include "detect_covered.h"
 #include "detector_settings.h"
+#include "support/few.h"
 #include "support/workers.h"
 #include "track/marker_tracks.h"
 
@@ -91,11 +92,18 @@ private:
     bool isPassedOver = false;                        //!< Whether it was not measured: too many in doubt were none.
     std::vector<vpCircleMarkerCandidate> candidates;  //!< What it was tried as, if that is to be shown.
   };
+  /*! What the room refine tells of a marker besides its measurement. */
+  struct Fit
+  {
+    circle_marker::Few<circle_marker::MarkerPlane> poses; //!< Where it may be.
+    double halo = 1.;                                     //!< Of its outer edge (haloOf()), if it is measured.
+  };
   /*! Working memory of one thread. */
   struct Bench
   {
     std::vector<Eigen::Vector2d> meters;    //!< Points of an outline.
     circle_marker::MeasureMemory measuring; //!< Of the refinement.
+    vpImage<unsigned char> restored;        //!< What the image was before the camera sharpened it, around a marker.
   };
 
   using Outlines = circle_marker::ReusedList<circle_marker::EllipseCandidate>;
@@ -109,6 +117,7 @@ private:
     const circle_marker::Deadline &deadline;
     const double &noise;      //!< Standard deviation of the image's noise, grey levels: known after the first room.
     bool isSizeGiven = false; //!< Whether all markers have that size, whatever the database says.
+    double haloError = 0.;    //!< Of what the camera had sharpened: how well that is undone, share of the contrast.
   };
 
   void detectBlack(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
@@ -137,7 +146,11 @@ private:
                                                          const circle_marker::Measurement &measurement,
                                                          circle_marker::Recognition &marker, Bench &bench) const;
   bool measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
-                     circle_marker::Recognition marker, Bench &bench, Found &measured) const;
+                     const circle_marker::Recognition &marker, Bench &bench, Found &measured) const;
+  bool measureIn(const Visit &visit, const circle_marker::EllipseCandidate &outline, circle_marker::Recognition marker,
+                 Bench &bench, Found &measured, Fit &fit) const;
+  bool measureRestored(const Visit &visit, const circle_marker::EllipseCandidate &outline,
+                       const circle_marker::Recognition &marker, Bench &bench, Fit &fit, Found &measured) const;
   void choose(const Visit &visit, const Outlines &outlines);
   void measureChosen(const Visit &visit, const Outlines &outlines);
   void measureTogether(const Visit &visit, const Outlines &outlines, std::size_t begin, std::size_t end);
@@ -145,6 +158,8 @@ private:
   void keepSeen(const Outlines &outlines);
   void followSeen(const Visit &visit);
   void keepCandidates(const Visit &visit, const Outlines &outlines);
+  static circle_marker::PixelBox surroundingsOf(const circle_marker::EllipseCandidate &outline,
+                                                const vpCircleMarkerFamily &family, const vpImage<unsigned char> &I);
   void keepSurroundings(const vpImage<unsigned char> &I);
 
   circle_marker::OutlineMemory m_outlines;            //!< Memory of the rooms up to the outlines.

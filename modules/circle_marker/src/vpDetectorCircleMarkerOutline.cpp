@@ -18,6 +18,7 @@
 #include "vpDetectorCircleMarkerImpl.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "decode/edge_width.h"
 #include "detect_covered.h"
@@ -28,6 +29,7 @@
 #include "refine/closed_form.h"
 #include "refine/measure.h"
 #include "refine/report.h"
+#include "refine/unsharp_mask.h"
 #include "debug_record.h"
 #include "measure_proven.h"
 #include "outer_edge.h"
@@ -217,9 +219,63 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
   return verdict == WholeVerdict::DOUBTFUL ? measurement : leftOut();
 }
 
-/*! A marker through the room refine; false if it turns out to be none. The place of the result is used again. */
+/*!
+  A marker through the room refine; false if it turns out to be none. The place of the result is used again. What is
+  none though its code was read, or looks like it, may be in an image that the camera has sharpened: then it is measured
+  in what the image was before.
+*/
 bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline,
-                                                 Recognition marker, Bench &bench, Found &measured) const
+                                                 const Recognition &marker, Bench &bench, Found &measured) const
+{
+  Fit fit;
+  const bool isMeasured = measureIn(visit, outline, marker, bench, measured, fit);
+  if (!settings.refinePose || marker.seen || marker.blurred || visit.deadline.hasPassed() ||
+      !(isMeasured ? fit.halo >= leastHalo : marker.isCertain)) {
+    return isMeasured;
+  }
+  if (isMeasured) {
+    return measureRestored(visit, outline, marker, bench, fit, measured) || isMeasured;
+  }
+  for (const MarkerPlane &pose : marker.poses) {
+    fit.poses.push_back(pose);
+  }
+  // A mask that was told at poses of the outline is told better at the pose that is measured behind it.
+  const bool isRestored = measureRestored(visit, outline, marker, bench, fit, measured);
+  return isRestored && (measureRestored(visit, outline, marker, bench, fit, measured) || isRestored);
+}
+
+/*!
+  The same in what the image was before the camera sharpened it; false, and nothing changes, if it did not, or if the
+  halo does not become less.
+  \param fit : The fit in the image as it is, and then this one.
+*/
+bool vpDetectorCircleMarker::Impl::measureRestored(const Visit &visit, const EllipseCandidate &outline,
+                                                   const Recognition &marker, Bench &bench, Fit &fit,
+                                                   Found &measured) const
+{
+  const auto mask = unsharpMaskOf(visit.I, visit.camera, fit.poses, marker.family.getLayout());
+  if (!mask) {
+    return false;
+  }
+  const PixelBox box = surroundingsOf(outline, marker.family, visit.I);
+  undo(*mask, visit.I, cv::Rect(box.left, box.top, box.width(), box.height()), bench.restored);
+  const double noise = visit.noise / (1. + mask->amount); // of the highest frequencies, by which it is measured
+  const Visit before = {bench.restored, visit.size,        visit.camera, visit.deadline,
+                        noise,          visit.isSizeGiven, mask->error};
+  Fit restoredFit;
+  Found restored;
+  if (!measureIn(before, outline, marker, bench, restored, restoredFit) || restoredFit.halo > fit.halo) {
+    return false;
+  }
+  restored.noise = visit.noise;
+  measured = std::move(restored);
+  fit = restoredFit;
+  return true;
+}
+
+/*! The same in the image of a visit as it is. */
+bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCandidate &outline, Recognition marker,
+                                             Bench &bench, Found &measured, Fit &fit) const
 {
   const bool isProofWanted = settings.refinePose && !marker.seen && !marker.blurred &&
                              (!marker.isCertain || wantsProof(outline.ellipse, marker.family));
@@ -248,12 +304,17 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
   if (settings.refinePose) {
     widenByShapeOfBlur(visit.noise, marker.family.isCoded(), measurement->first);
     if (!marker.blurred) { // in a wide blur there is no halo to be seen
-      addHaloDoubt(haloOf(visit.I, visit.camera, marker, *measurement), visit.camera, *measurement);
+      fit.halo = haloOf(visit.I, visit.camera, marker, *measurement);
+      addHaloDoubt(std::hypot(fit.halo < leastHalo ? 0. : fit.halo, visit.haloError), visit.camera, *measurement);
     }
   }
   else if (!marker.blurred) {
     measurement->first.covariance =
         closedFormCovariance(visit.I, outline, measurement->first.plane, marker.family, visit.camera, bench.meters);
+  }
+  fit.poses.push_back(measurement->first.plane);
+  if (measurement->second) {
+    fit.poses.push_back(measurement->second->plane);
   }
   addCameraDoubt(settings.cameraCovariance, marker.family, visit.camera, measurement->first);
   // Of a blurred outline pieces are missed, but a marker that is read through a blur shows all of its image.

@@ -26,22 +26,28 @@ BEGIN_VISP_NAMESPACE
 
 using namespace circle_marker;
 
+/*! What of an image measuring a marker may look at. */
+PixelBox vpDetectorCircleMarker::Impl::surroundingsOf(const EllipseCandidate &outline,
+                                                      const vpCircleMarkerFamily &family,
+                                                      const vpImage<unsigned char> &I)
+{
+  constexpr double leastShare = 0.5; // of the radius; the quiet zone has a sixth, and more at the corners of its sheet
+  constexpr double ofQuietZone = 2.2;
+  constexpr double leastMargin = 32.; // pixels: the widest blur the refinement knows, and interpolation
+  const double share = std::max(leastShare, ofQuietZone * family.getLayout().quietZone);
+  return boxAround(outline.ellipse, share * outline.ellipse.a + leastMargin, static_cast<int>(I.getWidth()),
+                   static_cast<int>(I.getHeight()));
+}
+
 /*!
   Keeps what getPose() looks at of the image: its markers and what surrounds them. A copy of the whole takes as long as
   a tenth of the search.
 */
 void vpDetectorCircleMarker::Impl::keepSurroundings(const vpImage<unsigned char> &I)
 {
-  constexpr double leastShare = 0.5; // of the radius; the quiet zone has a sixth, and more at the corners of its sheet
-  constexpr double ofQuietZone = 2.2;
-  constexpr double leastMargin = 32.; // pixels: the widest blur the refinement knows, and interpolation
-  const int width = static_cast<int>(I.getWidth());
-  const int height = static_cast<int>(I.getHeight());
   image.resize(I.getHeight(), I.getWidth()); // the assignment of images would allocate each time
   for (const Found &marker : found) {
-    const EllipseParameters &outline = marker.outline.ellipse;
-    const double share = std::max(leastShare, ofQuietZone * marker.marker.family.getLayout().quietZone);
-    const PixelBox box = boxAround(outline, share * outline.a + leastMargin, width, height);
+    const PixelBox box = surroundingsOf(marker.outline, marker.marker.family, I);
     for (int y = box.top; y < box.bottom; ++y) {
       const unsigned char *row = I[static_cast<unsigned int>(y)];
       std::copy(row + box.left, row + box.right, image[static_cast<unsigned int>(y)] + box.left);

@@ -1,0 +1,75 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Sharpening of the camera: told from a marker's ring, and undone.
+ */
+
+/*!
+  \file unsharp_mask.h
+  \brief A camera that sharpens its images: its mask is told from a marker's ring, and undone around the marker.
+*/
+
+#ifndef VP_CIRCLE_MARKER_UNSHARP_MASK_H
+#define VP_CIRCLE_MARKER_UNSHARP_MASK_H
+
+#include <optional>
+
+#include <opencv2/core.hpp>
+
+#include <visp3/circle_marker/vpCircleMarkerFamily.h>
+#include <visp3/core/vpImage.h>
+
+#include "pose/marker_plane.h"
+#include "support/camera_model.h"
+#include "support/few.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! To the image was added, so many times, what a Gaussian takes from it: most cameras sharpen by something like it. */
+struct UnsharpMask
+{
+  double amount = 0.;  //!< How many times.
+  double sigma = 0.;   //!< Standard deviation of the Gaussian, pixels.
+  double white = 255.; //!< Grey level of paper beside the marker,
+  double ink = 0.;     //!< and of its ink.
+  double halo = 0.;    //!< By how much the image of an edge goes beyond black and white, share of the contrast.
+  double error = 0.;   //!< Standard deviation of the halo.
+};
+
+/*!
+  The mask that an image was sharpened with, as the ring's two edges show it.
+  \param I : The image.
+  \param camera : Its camera.
+  \param poses : The marker's pose, or those that it may have, of which the best is taken: at the mirrored one the inner
+  edge of a large ring lies beside where it should be.
+  \param layout : Radii of its parts.
+  \return Nothing if there is no mask, or not certainly.
+*/
+std::optional<UnsharpMask> unsharpMaskOf(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                         const Few<MarkerPlane> &poses, const vpCircleMarkerLayout &layout);
+
+/*!
+  Makes what was sharpened as it was: 1 + a (1 - G) takes no frequency away, so that its inverse is a mild blur, and
+  noise that the camera sharpened with the image is as white again as it was.
+  \param mask : What it was sharpened with.
+  \param I : The image.
+  \param box : The part of it that is wanted, within the image.
+  \param restored : The result, of the same size as the image; only the box of it is written.
+*/
+void undo(const UnsharpMask &mask, const vpImage<unsigned char> &I, const cv::Rect &box,
+          vpImage<unsigned char> &restored);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
