@@ -1,0 +1,149 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Which fits a measurement makes, and what it says of their odds.
+ */
+
+#include "testScriptedMeasure.h"
+
+#include "refine/fit_starts.h"
+
+using namespace scripted_test;
+
+namespace {
+// How far on either side of the limit of gamma is looked: a limit that has moved by more is another one.
+constexpr double within = 0.97;
+constexpr double beyond = 1.03;
+} // namespace
+
+// The first look at a small ring misjudges its ratio: the design's is tried first.
+TEST(MeasureFits, ARingHasTheRatioOfItsDesignIfItFits)
+{
+  const MarkerScene scene = tilted(ring, 0.5);
+  Recognition marker = recognised(scene, -1, false);
+  const double design = ring.getLayout().ringInner;
+  marker.ringInner = design - 0.1;
+  const auto ratioOf = [&](double correlation, double logGamma) {
+    const Outcome outcome = outcomeOf(scene, marker, true, [&](FittedPose &fit, const ScriptedFitter::Asked &asked) {
+      if (!asked.settings.exactBends && asked.pattern.ring[1].radius == design) {
+        fit.correlation = correlation;
+        fit.photometry.gamma = std::exp(logGamma);
+      }
+    });
+    return outcome.asked.back().pattern.ring[1].radius;
+  };
+  EXPECT_EQ(ratioOf(0.95, 0.), design);
+  EXPECT_EQ(ratioOf(0.93, 0.), marker.ringInner);
+  EXPECT_EQ(ratioOf(0.95, within), design);
+  EXPECT_EQ(ratioOf(0.95, beyond), marker.ringInner);
+  EXPECT_EQ(ratioOf(0.95, -beyond), marker.ringInner);
+}
+
+TEST(MeasureFits, ADiscHasNoGammaOfItsOwn)
+{
+  for (const auto type : {vpCircleMarkerFamily::DISC, vpCircleMarkerFamily::RING, vpCircleMarkerFamily::GOLAY23}) {
+    const vpCircleMarkerFamily family(type);
+    const MarkerScene scene = tilted(family, 0.5);
+    const Recognition marker = recognised(scene, family.isCoded() ? 8 : -1, false);
+    const Outcome outcome = outcomeOf(scene, marker, true, [](FittedPose &, const ScriptedFitter::Asked &) {});
+    for (const ScriptedFitter::Asked &fit : outcome.asked) {
+      EXPECT_EQ(fit.settings.gammaAndSpread, type != vpCircleMarkerFamily::DISC) << family.getName();
+      EXPECT_EQ(fit.settings.spinIsKnown, family.isCoded()) << family.getName();
+    }
+  }
+}
+
+// What few pixels say against a pose is enough for large markers, and is reported; of small ones all pixels are asked.
+TEST(MeasureFits, HopelessPosesOfLargeMarkersAreNotRefined)
+{
+  constexpr double hopeless = 100.; // log-odds
+  for (const double diameter : {39., 41.}) {
+    const MarkerScene scene = tilted(coded, 0.5, diameter);
+    const Outcome outcome =
+        outcomeOf(scene, recognised(scene, 8, false), true, [&](FittedPose &fit, const ScriptedFitter::Asked &asked) {
+          if (isTwinOf(fit.plane, scene) && !asked.settings.exactBends) {
+            fit.squares += squaresOf(hopeless - oddsOfTwin);
+          }
+        });
+    const bool isLarge = diameter > 40.;
+    EXPECT_EQ(outcome.onAllPixels(), isLarge ? 1 : 2) << diameter;
+    ASSERT_TRUE(outcome.measurement && outcome.measurement->second);
+    EXPECT_NEAR(outcome.measurement->cost2 - outcome.measurement->cost, isLarge ? hopeless : oddsOfTwin, 1e-9);
+  }
+}
+
+// Two poses of one marker stand in one light: where a fit says otherwise it was stuck, and starts again from the other.
+TEST(MeasureFits, AStuckPoseIsFittedAgain)
+{
+  const MarkerScene scene = tilted(coded, 0.5);
+  constexpr double oddsOfStuck = 25.;
+  int fitsOfTwin = 0; // on all pixels
+  const Outcome outcome =
+      outcomeOf(scene, recognised(scene, 8, false), true, [&](FittedPose &fit, const ScriptedFitter::Asked &asked) {
+        fit.photometry.gamma = 1.3;
+        if (asked.settings.exactBends && isTwinOf(fit.plane, scene) && ++fitsOfTwin == 1) {
+          fit.photometry.gamma = 0.8;
+          fit.squares += squaresOf(oddsOfStuck - oddsOfTwin);
+        }
+      });
+  EXPECT_EQ(fitsOfTwin, 2);
+  ASSERT_TRUE(outcome.measurement && outcome.measurement->second);
+  EXPECT_NEAR(outcome.measurement->cost2 - outcome.measurement->cost, oddsOfTwin, 1e-9);
+  EXPECT_EQ(outcome.measurement->second->photometry.gamma, 1.3);
+  const MarkerPlane mirror = mirrored(scene.plane());
+  EXPECT_LT((outcome.asked.back().start.plane.rotation - mirror.rotation).norm(), 1e-9);
+}
+
+// Bends cost precision: they are fitted where parts of the print pull the pose apart, and not where something covers
+// it.
+TEST(MeasureFits, BendsAreFittedWhereThePrintIsPulledApart)
+{
+  const MarkerScene scene = tilted(coded, 0.5);
+  for (const double coherence : {1., 1.5}) {
+    const Outcome outcome =
+        outcomeOf(scene, recognised(scene, 8, false), true, [&](FittedPose &fit, const ScriptedFitter::Asked &asked) {
+          fit.coherence = asked.settings.exactBends ? coherence : 1.;
+        });
+    const bool isBent = std::any_of(outcome.asked.begin(), outcome.asked.end(),
+                                    [](const ScriptedFitter::Asked &fit) { return fit.settings.bend; });
+    EXPECT_EQ(isBent, coherence > 1.);
+  }
+}
+
+TEST(MeasureFits, LogOddsAreThoseOfTheNoise)
+{
+  const MarkerScene scene = tilted(coded, 0.5);
+  for (const bool twinFirst : {false, true}) {
+    const Outcome outcome =
+        outcomeOf(scene, recognised(scene, 8, twinFirst), true, [](FittedPose &, const ScriptedFitter::Asked &) {});
+    ASSERT_TRUE(outcome.measurement && outcome.measurement->second);
+    EXPECT_FALSE(isTwinOf(outcome.measurement->first.plane, scene));
+    EXPECT_NEAR(outcome.measurement->cost2 - outcome.measurement->cost, oddsOfTwin, 1e-9);
+  }
+}
+
+// What is left beside a minimum varies by k = decrement / (2 noise^2), besides the log-odds' own variance 2 D: of the
+// odds D as much counts as leaves a normal distribution its form, 2 D^2 / (2 D + k^2).
+TEST(MeasureFits, UnrefinedLogOddsKnowHowFarThePosesAreFromTheirMinima)
+{
+  const MarkerScene scene = tilted(coded, 0.5);
+  for (const double k : {0., 1., 5.}) {
+    const Outcome outcome =
+        outcomeOf(scene, recognised(scene, 8, false), false,
+                  [&](FittedPose &fit, const ScriptedFitter::Asked &) { fit.decrement = squaresOf(k); });
+    ASSERT_TRUE(outcome.measurement && outcome.measurement->second);
+    const double expected = 2. * oddsOfTwin * oddsOfTwin / (2. * oddsOfTwin + k * k);
+    EXPECT_NEAR(outcome.measurement->cost2 - outcome.measurement->cost, expected, 1e-9) << k;
+  }
+}
