@@ -16,7 +16,10 @@
  */
 
 #include "testMeasureTools.h"
+#include "testScriptedFitter.h"
 
+#include "refine/bent_sheet.h"
+#include "refine/fit_starts.h"
 #include "refine/measure.h"
 
 using namespace circle_marker;
@@ -117,4 +120,123 @@ TEST(BentSheet, FlatSheetsStayFlat)
     bent += result->first.plane.bend.isAny() ? 1 : 0;
   }
   EXPECT_LE(bent, 1);
+}
+
+namespace {
+//! Fits of a sheet that is bent, or not, as they are asked for.
+struct BentFits
+{
+  double gain = 20.;         // log-odds for the bent sheet
+  double flatCoherence = 4.; // how the parts of the print pull a flat sheet apart
+  double bentCoherence = 1.; // and a bent one
+  SheetBend bend = {0.02, Eigen::Vector2d(0.02, 0.)};
+  std::size_t flatFits = 2; // that are there from before
+
+  std::vector<ScriptedFitter::Asked> asked; // of the last time
+
+  RankedFits fit()
+  {
+    Random random = randomOfTest();
+    constexpr double noise = 2.;
+    const MarkerScene scene =
+        markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 8, 80., 0.5, side);
+    RankedFits flat;
+    flat.noise = noise;
+    const std::array<MarkerPlane, 2> planes = {scene.plane(), twinOf(scene.plane())};
+    for (std::size_t i = 0; i < flatFits; ++i) {
+      FittedPose fit = fitAt({planes[i], std::nullopt, std::nullopt});
+      fit.squares += 100. * static_cast<double>(i);
+      fit.coherence = flatCoherence;
+      flat.fits.push_back(fit);
+    }
+    ScriptedFitter fitter([&](const ScriptedFitter::Asked &once) {
+      FittedPose fit = fitAt(once.start);
+      const bool isTwin = (fit.plane.rotation - planes[0].rotation).norm() > 0.1;
+      fit.squares += isTwin ? 100. : 0.;
+      fit.coherence = once.settings.bend ? bentCoherence : flatCoherence;
+      if (once.settings.bend) {
+        fit.plane.bend = bend;
+        fit.squares -= 2. * noise * noise * gain;
+      }
+      return std::optional<FittedPose>(fit);
+    });
+    const RankedFits ranked = fitBent({}, flat, patternOf(scene.family, 8, 0.8), FitSettings(), fitter);
+    asked = fitter.asked;
+    return ranked;
+  }
+
+  //! Whether both poses, or neither of them, are of a bent sheet.
+  bool isBent()
+  {
+    const RankedFits ranked = fit();
+    EXPECT_EQ(ranked.fits.size(), 2u);
+    const bool bent = ranked.fits[0].plane.bend.isAny();
+    EXPECT_EQ(ranked.fits[ranked.fits.size() - 1].plane.bend.isAny(), bent);
+    return bent;
+  }
+};
+} // namespace
+
+// Three more numbers gain log-odds of 8 of their own accord once in 1000 markers.
+TEST(BentSheet, BendsHaveToPay)
+{
+  BentFits fits;
+  for (const double gain : {-1., 0.5, 7.9}) {
+    fits.gain = gain;
+    EXPECT_FALSE(fits.isBent()) << gain;
+  }
+  for (const double gain : {8.1, 100.}) {
+    fits.gain = gain;
+    EXPECT_TRUE(fits.isBent()) << gain;
+  }
+}
+
+// What covers a marker is explained a little by a bend, too, but pulls the pose apart as before.
+TEST(BentSheet, BendsHaveToExplainWhatPullsThePoseApart)
+{
+  struct Case
+  {
+    double flat, bent;
+    bool isBent;
+  };
+  for (const Case &now : {Case{4., 1.9, true}, Case{4., 2.1, false}, Case{1.5, 1., true}, Case{1.5, 1.1, false}}) {
+    BentFits fits;
+    fits.flatCoherence = now.flat;
+    fits.bentCoherence = now.bent;
+    EXPECT_EQ(fits.isBent(), now.isBent) << now.flat << " " << now.bent;
+  }
+  BentFits whole;
+  whole.flatCoherence = 1.;
+  EXPECT_FALSE(whole.isBent());
+  EXPECT_TRUE(whole.asked.empty()); // not even tried
+}
+
+// Paper bends about one axis: bow and saddle are of one size.
+TEST(BentSheet, BendsAreThoseOfPaper)
+{
+  const auto isBentBy = [](double bow, double saddle) {
+    BentFits fits;
+    fits.bend = {bow, saddle * Eigen::Vector2d(0.6, -0.8)};
+    return fits.isBent();
+  };
+  EXPECT_TRUE(isBentBy(0.02, 0.02));
+  EXPECT_TRUE(isBentBy(-0.02, 0.02));
+  EXPECT_TRUE(isBentBy(0.02, 0.0445));
+  EXPECT_FALSE(isBentBy(0.02, 0.0455));
+  EXPECT_FALSE(isBentBy(-0.02, 0.0455));
+  EXPECT_TRUE(isBentBy(1e-4, 0.0045));
+  EXPECT_FALSE(isBentBy(1e-4, 0.0055));
+}
+
+// The other pose may have looked hopeless because the sheet is not flat.
+TEST(BentSheet, ThePoseThatWasGivenUpIsFittedToo)
+{
+  BentFits fits;
+  fits.flatFits = 1;
+  EXPECT_TRUE(fits.isBent());
+  ASSERT_EQ(fits.asked.size(), 3u);
+  EXPECT_FALSE(fits.asked[0].settings.bend);
+  EXPECT_TRUE(fits.asked[1].settings.bend && fits.asked[2].settings.bend);
+  const MarkerPlane mirror = mirrored(fits.asked[1].start.plane);
+  EXPECT_LT((fits.asked[0].start.plane.rotation - mirror.rotation).norm(), 1e-9);
 }
