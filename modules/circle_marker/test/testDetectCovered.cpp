@@ -22,7 +22,7 @@
 
 #include <gtest/gtest.h>
 
-#include "testRoomTools.h"
+#include "testMeasureTools.h"
 
 using namespace circle_marker;
 using namespace room_test;
@@ -35,14 +35,37 @@ const vpCircleMarkerFamily golay23(vpCircleMarkerFamily::GOLAY23);
 
 Recognition recognisedAs(const MarkerScene &scene, int id, unsigned int hamming)
 {
-  Recognition marker;
-  marker.family = scene.family;
-  marker.code.id = id;
+  Recognition marker = recognised(scene, id, false);
   marker.code.hamming = hamming;
-  marker.ringInner = scene.family.getLayout().ringInner;
-  marker.poses = {scene.plane(), twinOf(scene.plane())};
   return marker;
 }
+
+vpImage<unsigned char> pictureOf(const MarkerScene &scene, Random &random)
+{
+  return digitise(expose(side, side, blur, scene), noise, random);
+}
+
+// A marker that was read without a correction and measured at the pose it has.
+struct MeasuredMarker
+{
+  MeasuredMarker(const MarkerScene &scene, int id, Random &random)
+      : camera(scene.camera()), I(pictureOf(scene, random)), marker(recognisedAs(scene, id, 0)),
+        measurement(measure(I, camera, marker, true, memory))
+  {
+  }
+
+  // What is said of it, measured so, if it was read as something.
+  WholeVerdict verdict(const Recognition &readAs, const Measurement &measured)
+  {
+    return judgeWhole(I, camera, noise, 1., readAs, measured, memory);
+  }
+
+  MeasureMemory memory;
+  CameraModel camera;
+  vpImage<unsigned char> I;
+  Recognition marker;
+  std::optional<Measurement> measurement;
+};
 
 // What is said of a marker that was read with some corrections, and whose outline is found but for a part.
 WholeVerdict verdictOn(const vpImage<unsigned char> &I, const MarkerScene &scene, const Recognition &marker,
@@ -70,7 +93,7 @@ TEST(DetectCovered, WhatShowsItsCodewordIsRight)
   Random random = randomOfTest();
   for (int i = 0; i < 10; ++i) {
     const MarkerScene scene = markerScene(random, golay23, i, uniform(random, 50., 80.), uniform(random, 0., 1.), side);
-    const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), noise, random);
+    const vpImage<unsigned char> I = pictureOf(scene, random);
     EXPECT_EQ(verdictOn(I, scene, recognisedAs(scene, i, 0)), WholeVerdict::RIGHT) << i;
     EXPECT_EQ(verdictOn(I, scene, recognisedAs(scene, i, 1), 0.5), WholeVerdict::RIGHT) << i << " with a doubt";
   }
@@ -81,15 +104,10 @@ TEST(DetectCovered, AnotherCodewordIsNotRight)
   Random random = randomOfTest();
   for (int i = 0; i < 10; ++i) {
     const MarkerScene scene = markerScene(random, golay23, i, uniform(random, 50., 80.), uniform(random, 0., 1.), side);
-    const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), noise, random);
-    MeasureMemory memory;
-    const CameraModel camera(scene.camera());
     // At the true pose: with another codeword the measurement would not end there.
-    const auto measurement = measure(I, camera, recognisedAs(scene, i, 0), true, memory);
-    ASSERT_TRUE(measurement);
-    EXPECT_NE(judgeWhole(I, camera, noise, 1., recognisedAs(scene, i + 20, 3), *measurement, memory),
-              WholeVerdict::RIGHT)
-        << i;
+    MeasuredMarker measured(scene, i, random);
+    ASSERT_TRUE(measured.measurement);
+    EXPECT_NE(measured.verdict(recognisedAs(scene, i + 20, 3), *measured.measurement), WholeVerdict::RIGHT) << i;
   }
 }
 
@@ -99,16 +117,14 @@ TEST(DetectCovered, AnotherCodewordThatWasLeftOutIsNotRight)
   Random random = randomOfTest();
   for (int i = 0; i < 10; ++i) {
     const MarkerScene scene = markerScene(random, golay23, i, uniform(random, 50., 80.), uniform(random, 0., 1.), side);
-    const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), noise, random);
-    MeasureMemory memory;
-    const CameraModel camera(scene.camera());
-    auto measurement = measure(I, camera, recognisedAs(scene, i, 0), true, memory);
-    ASSERT_TRUE(measurement);
+    MeasuredMarker measured(scene, i, random);
+    ASSERT_TRUE(measured.measurement);
+    Measurement measurement = *measured.measurement;
     const Recognition other = recognisedAs(scene, i + 20, 0);
-    EXPECT_EQ(judgeWhole(I, camera, noise, 1., other, *measurement, memory), WholeVerdict::RIGHT) << "not asked";
-    measurement->first.inliers = 0.7;
-    EXPECT_NE(judgeWhole(I, camera, noise, 1., other, *measurement, memory), WholeVerdict::RIGHT) << i;
-    EXPECT_EQ(judgeWhole(I, camera, noise, 1., recognisedAs(scene, i, 0), *measurement, memory), WholeVerdict::RIGHT);
+    EXPECT_EQ(measured.verdict(other, measurement), WholeVerdict::RIGHT) << "not asked";
+    measurement.first.inliers = 0.7;
+    EXPECT_NE(measured.verdict(other, measurement), WholeVerdict::RIGHT) << i;
+    EXPECT_EQ(measured.verdict(measured.marker, measurement), WholeVerdict::RIGHT);
   }
 }
 
@@ -153,25 +169,22 @@ TEST(DetectCovered, WhatNothingConfirmsIsWrong)
   Random random = randomOfTest();
   for (int i = 0; i < 10; ++i) {
     MarkerScene scene = markerScene(random, golay23, i, uniform(random, 50., 80.), uniform(random, 0., 0.7), side);
-    const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), noise, random);
-    MeasureMemory memory;
-    const CameraModel camera(scene.camera());
-    const Recognition marker = recognisedAs(scene, i, 0);
-    const auto measurement = measure(I, camera, marker, true, memory);
-    ASSERT_TRUE(measurement);
-    const double contrast = measurement->first.photometry.light * measurement->first.photometry.contrast();
-    const auto verdictIf = [&](const vpImage<unsigned char> &image, double sigma, double left) {
-      Measurement changed = *measurement;
+    MeasuredMarker measured(scene, i, random);
+    ASSERT_TRUE(measured.measurement);
+    const Photometry &photometry = measured.measurement->first.photometry;
+    const double contrast = photometry.light * photometry.contrast();
+    const auto verdictIf = [&](double sigma, double left) {
+      Measurement changed = *measured.measurement;
       changed.first.photometry.blur.sigma = sigma;
       changed.first.noise = std::hypot(noise, left * contrast);
-      return judgeWhole(image, camera, noise, 1., marker, changed, memory);
+      return measured.verdict(measured.marker, changed);
     };
-    EXPECT_EQ(verdictIf(I, 10., 0.1), WholeVerdict::WRONG) << i;
-    EXPECT_NE(verdictIf(I, 10., 0.06), WholeVerdict::WRONG) << i;
-    EXPECT_EQ(verdictIf(I, blur, 0.1), WholeVerdict::RIGHT) << i;
+    EXPECT_EQ(verdictIf(10., 0.1), WholeVerdict::WRONG) << i;
+    EXPECT_NE(verdictIf(10., 0.06), WholeVerdict::WRONG) << i;
+    EXPECT_EQ(verdictIf(blur, 0.1), WholeVerdict::RIGHT) << i;
     scene.word = ~scene.word;
-    const vpImage<unsigned char> opposite = digitise(expose(side, side, blur, scene), noise, random);
-    EXPECT_EQ(verdictIf(opposite, blur, 0.1), WholeVerdict::WRONG) << i;
+    measured.I = pictureOf(scene, random);
+    EXPECT_EQ(verdictIf(blur, 0.1), WholeVerdict::WRONG) << i;
   }
 }
 
@@ -181,18 +194,17 @@ TEST(DetectCovered, KeptThoughCoveredIfTheImageIsLikeIt)
 {
   Random random = randomOfTest();
   const MarkerScene scene = markerScene(random, golay23, 7, 70., 0.3, side);
-  const vpImage<unsigned char> I = digitise(expose(side, side, blur, scene), noise, random);
-  MeasureMemory memory;
-  const CameraModel camera(scene.camera());
-  auto measurement = measure(I, camera, recognisedAs(scene, 7, 0), true, memory);
-  ASSERT_TRUE(measurement);
-  const Recognition right = recognisedAs(scene, 7, 0);
+  MeasuredMarker measured(scene, 7, random);
+  ASSERT_TRUE(measured.measurement);
   const Recognition wrong = recognisedAs(scene, 27, 0);
-  EXPECT_TRUE(isRightThoughCovered(I, camera, right, *measurement, memory));
-  EXPECT_TRUE(isRightThoughCovered(I, camera, wrong, *measurement, memory));
-  measurement->first.correlation = 0.9;
-  EXPECT_TRUE(isRightThoughCovered(I, camera, right, *measurement, memory)) << "by its pixels";
-  EXPECT_FALSE(isRightThoughCovered(I, camera, wrong, *measurement, memory));
+  const auto isKept = [&](const Recognition &readAs) {
+    return isRightThoughCovered(measured.I, measured.camera, readAs, *measured.measurement, measured.memory);
+  };
+  EXPECT_TRUE(isKept(measured.marker));
+  EXPECT_TRUE(isKept(wrong));
+  measured.measurement->first.correlation = 0.9;
+  EXPECT_TRUE(isKept(measured.marker)) << "by its pixels";
+  EXPECT_FALSE(isKept(wrong));
 }
 
 // Of an outer edge that is seen in all directions all is visible; of one behind a half plane the angle in front of it.
@@ -204,14 +216,10 @@ TEST(DetectCovered, VisibleEdgeIsTheShareOfItsDirections)
     const MarkerScene scene = markerScene(random, golay23, 7, diameter, 0., side);
     const CoveredScene covered{scene, 0. - side, 0.5 * side + distance};
     const vpImage<unsigned char> I = digitise(expose(side, side, blur, covered), noise, random);
-    MeasureMemory memory;
-    const CameraModel camera(scene.camera());
-    const vpImage<unsigned char> whole = digitise(expose(side, side, blur, scene), noise, random);
-    const Recognition marker = recognisedAs(scene, 7, 0);
-    const auto measurement = measure(whole, camera, marker, true, memory);
-    ASSERT_TRUE(measurement);
+    const MeasuredMarker whole(scene, 7, random);
+    ASSERT_TRUE(whole.measurement);
     const double hidden = distance < -0.5 * diameter ? 0. : 1. - std::acos(distance / (0.5 * diameter)) / M_PI;
-    EXPECT_NEAR(visibleEdgeOf(I, camera, marker, *measurement), 1. - hidden, 0.04) << distance;
+    EXPECT_NEAR(visibleEdgeOf(I, whole.camera, whole.marker, *whole.measurement), 1. - hidden, 0.04) << distance;
   }
 }
 
