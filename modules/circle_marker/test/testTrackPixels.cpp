@@ -15,53 +15,11 @@
  * What the pixels of a code track say of its sectors and of a codeword.
  */
 
-#include "testRoomTools.h"
+#include "testTrackTools.h"
 
 #include "decode/track_pixels.h"
 
-using namespace circle_marker;
-using namespace room_test;
-
-namespace {
-constexpr double lens = 0.7; // blur, pixels
-
-int randomId(Random &random, const vpCircleMarkerFamily &family)
-{
-  return static_cast<int>(random() % family.getNbIds());
-}
-
-//! The ring of a scene as if it were measured exactly.
-MeasuredRing measuredRing(const MarkerScene &scene)
-{
-  MeasuredRing ring;
-  ring.plane = scene.plane();
-  ring.origin = Eigen::Vector2d(75., 75.);
-  ring.light = scene.white;
-  ring.absorption = 1. - scene.black / scene.white;
-  ring.blur = std::sqrt(lens * lens + 1. / 12.); // with that of the pixel
-  ring.noise = 1.;
-  return ring;
-}
-
-//! A grey level in the directions from 0 to a number of sectors, all of the way from the centre.
-vpImage<unsigned char> covered(const MarkerScene &scene, unsigned int sectors, double grey)
-{
-  const double end = 2. * M_PI * sectors / scene.family.getNbSectors();
-  const auto picture = [&](double u, double v) {
-    const Eigen::Vector2d q = scene.onMarker(u, v);
-    const double angle = std::atan2(q.y(), q.x());
-    const bool isCovered = (angle < 0. ? angle + 2. * M_PI : angle) < end;
-    return isCovered ? grey : scene(u, v);
-  };
-  return photograph(150, 150, lens, picture);
-}
-
-MarkerScene scene(Random &random, const vpCircleMarkerFamily &family)
-{
-  return markerScene(random, family, randomId(random, family), uniform(random, 70., 110.), uniform(random, 0., 0.8),
-                     150);
-}
-} // namespace
+using namespace track_test;
 
 TEST(TrackPixels, ConfirmTheCodewordOfAMarkerThatNothingCovers)
 {
