@@ -19,6 +19,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "refine/fit_step.h"
+#include "refine/likelihood.h"
+
 using namespace fit_test;
 
 namespace {
@@ -82,5 +85,163 @@ TEST(Coherence, ATornPrintIsLessSureOfWhatItsHalvesDisagreeAbout)
     const Widening widening = wideningOf(0.01 * Eigen::Vector2d(std::cos(angle), std::sin(angle)), random);
     EXPECT_GT(widening.least, 5.) << angle;
     EXPECT_GT(widening.largest, 2. * widening.least) << angle;
+  }
+}
+
+namespace {
+/*!
+  Noise of standard deviation 1 that neighbours share, as that of compressed or sharpened pictures, at every pixel.
+  \param passes : Of the mean of a pixel and its neighbours, 1 : 2 : 1, in both directions; 0: independent noise.
+*/
+vpImage<double> sharedNoise(int passes, Random &random)
+{
+  std::normal_distribution<double> normal(0., 1.);
+  vpImage<double> noise(side, side);
+  for (unsigned int i = 0; i < noise.getSize(); ++i) {
+    noise.bitmap[i] = normal(random);
+  }
+  for (int pass = 0; pass < passes; ++pass) {
+    vpImage<double> smooth(side, side);
+    for (unsigned int v = 0; v < side; ++v) {
+      for (unsigned int u = 0; u < side; ++u) { // over the border of the image to its other side
+        const unsigned int left = (u + side - 1) % side, right = (u + 1) % side;
+        const unsigned int up = (v + side - 1) % side, down = (v + 1) % side;
+        const auto row = [&](unsigned int line) {
+          return noise[line][left] + 2. * noise[line][u] + noise[line][right];
+        };
+        smooth[v][u] = (row(up) + 2. * row(v) + row(down)) / 16.;
+      }
+    }
+    noise = smooth;
+  }
+  double squares = 0.;
+  for (unsigned int i = 0; i < noise.getSize(); ++i) {
+    squares += noise.bitmap[i] * noise.bitmap[i] / noise.getSize();
+  }
+  for (unsigned int i = 0; i < noise.getSize(); ++i) {
+    noise.bitmap[i] /= std::sqrt(squares);
+  }
+  return noise;
+}
+
+//! A marker of 80 pixels in noise of 2 grey levels that neighbours share, by the model, without bends.
+Case markerInNoise(int passes, Random &random)
+{
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const int id = randomId(random, family);
+  Case made = makeCase(markerScene(random, family, id, 80., uniform(random, 0.3, 0.8), side), id,
+                       vpImage<unsigned char>(side, side, 0));
+  fillFromModel(made, Light(), BlurParameters(), 0., random);
+  const vpImage<double> noise = sharedNoise(passes, random);
+  const ImageFrame frame = made.scene.frame();
+  for (FitPixel &pixel : made.pixels) {
+    const Eigen::Vector2d place = frame.center + frame.size * pixel.offset.cast<double>();
+    pixel.grey += static_cast<float>(
+        2. *
+        noise[static_cast<unsigned int>(std::lround(place.y()))][static_cast<unsigned int>(std::lround(place.x()))]);
+  }
+  return made;
+}
+
+//! Fits in noise that neighbours share.
+struct NoisyFits
+{
+  double distance = 0.; // mean squared Mahalanobis distance of the truth
+  int coherent = 0;     // number of those whose neighbours pull together
+};
+
+NoisyFits fitsInNoise(int passes, int count, Random &random)
+{
+  NoisyFits mean;
+  for (int i = 0; i < count; ++i) {
+    Case made = markerInNoise(passes, random);
+    const auto fit =
+        fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.01), made.pattern, settingsOf(made.scene.family));
+    EXPECT_TRUE(fit);
+    if (fit) {
+      mean.distance += mahalanobis(*fit, made.scene.plane(), true) / count;
+      mean.coherent += fit->coherence > 1. ? 1 : 0;
+    }
+  }
+  return mean;
+}
+} // namespace
+
+// What is within chance is not told: once in 740 of each of the sizes of parts that are compared.
+TEST(Coherence, IndependentNoiseIsSeldomCoherent)
+{
+  Random random = randomOfTest();
+  constexpr int count = 200;
+  const NoisyFits fits = fitsInNoise(0, count, random);
+  EXPECT_LE(fits.coherent, 5); // of 1000 others, seven
+}
+
+// What neighbours share moves the pose more than as many independent pixels would, by variances up to seven times as
+// large; the covariance knows, in each direction of the pose.
+TEST(Coherence, NoiseThatNeighboursShareIsInTheCovariance)
+{
+  Random random = randomOfTest();
+  constexpr int count = 150;
+  double distance = 0.;
+  for (const int passes : {1, 2}) {
+    const NoisyFits fits = fitsInNoise(passes, count, random);
+    EXPECT_GE(fits.coherent, 0.98 * count) << passes;
+    distance += fits.distance / 2.;
+  }
+  RecordProperty("distance", std::to_string(distance));
+  // Of 300 chi-square variables with 6 degrees of freedom the mean is known to 0.2; four of that.
+  EXPECT_NEAR(distance, 6., 0.8);
+}
+
+// The sums are those of the place where the last step began: what pulled the whole pose along was no disagreement.
+TEST(Coherence, TheLastStepIsNoPull)
+{
+  Random random = randomOfTest();
+  constexpr double noise = 2.;
+  constexpr int count = 20;
+  int withStep = 0;
+  int withoutStep = 0;
+  for (int i = 0; i < count; ++i) {
+    Case made = markerInNoise(0, random);
+    const FitSettings settings = settingsOf(made.scene.family);
+    const auto fit = fitAll(made.pixels, made.scene.plane(), made.pattern, settings);
+    ASSERT_TRUE(fit);
+    MarkerPlane beside = fit->plane;
+    beside.center.x() +=
+        12. * std::sqrt(fit->covariance(0, 0)); // a step that is long, but not for the noise of a pixel
+    FitMemory memory;
+    Likelihood likelihood(made.pattern, settings, memory);
+    likelihood.setPixels(made.pixels, beside, fit->photometry, noise);
+    const Equations equations = likelihood.linearise(beside, fit->photometry, noise);
+    likelihood.keepResiduals();
+    PoseInfluence influence = PoseInfluence::Zero();
+    const auto used = equations.used;
+    influence.leftCols(used) =
+        Eigen::MatrixXd(equations.matrix.topLeftCorner(used, used)).inverse().topRows<poseSize>();
+    const ParameterVector step = solveEquations(equations.matrix, equations.right, used);
+    withStep += likelihood.coherentCovariance(influence, step, noise, used).ratio > 1. ? 1 : 0;
+    withoutStep += likelihood.coherentCovariance(influence, ParameterVector::Zero(), noise, used).ratio > 1. ? 1 : 0;
+  }
+  EXPECT_LE(withStep, 2);
+  EXPECT_EQ(withoutStep, count);
+}
+
+// Half of a print is too little to tell what its parts pull: they are too few.
+TEST(Coherence, FewPartsTellNothing)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 5; ++i) {
+    Case made = markerInNoise(2, random);
+    const double share = i < 4 ? 0.5 : 1.; // and once all of it, which does tell
+    std::vector<FitPixel> seen;
+    for (const FitPixel &pixel : made.pixels) {
+      const double turns = std::atan2(pixel.offset.y(), pixel.offset.x()) / (2. * M_PI) + 0.25 * i;
+      if (turns - std::floor(turns) < share) {
+        seen.push_back(pixel);
+      }
+    }
+    const auto fit = fitAll(seen, made.scene.plane(), made.pattern, settingsOf(made.scene.family));
+    ASSERT_TRUE(fit);
+    EXPECT_EQ(fit->coherence > 1., share == 1.) << i;
   }
 }
