@@ -18,6 +18,7 @@
 #include "detector_scenes.h"
 
 #include <algorithm>
+#include <string>
 
 using namespace detector_test;
 
@@ -30,6 +31,7 @@ struct Honesty
   unsigned int found = 0;
   unsigned int sureAndWrong = 0;
   unsigned int sure = 0;
+  unsigned int right = 0; // of those found, with the right pose first
 };
 
 Honesty honestyOf(const vpCircleMarkerFamily &family, double diameter, Random &random, bool isCovered = false)
@@ -40,7 +42,6 @@ Honesty honestyOf(const vpCircleMarkerFamily &family, double diameter, Random &r
   detector.setZAlignedWithCameraAxis(true);
   detector.setRefinePose(false);
   Honesty honesty;
-  unsigned int right = 0;
   for (int i = 0; i < images; ++i) {
     const vpHomogeneousMatrix truth = randomPose(random, diameter, uniform(random, 0.2, 1.2));
     vpMarkerSceneSimulator simulator(straightCamera(), width, height);
@@ -86,10 +87,10 @@ Honesty honestyOf(const vpCircleMarkerFamily &family, double diameter, Random &r
     const Eigen::Matrix2d turns = (R.transpose() * C.bottomRightCorner<3, 3>() * R).topLeftCorner<2, 2>();
     honesty.depth += std::pow(truth[2][3] - cMo[0][2][3], 2.) / byDepth.dot(C * byDepth);
     honesty.normal += turned.head<2>().dot(turns.inverse() * turned.head<2>()) / 2.;
-    ++right;
+    ++honesty.right;
   }
-  honesty.depth /= right;
-  honesty.normal /= right;
+  honesty.depth /= honesty.right;
+  honesty.normal /= honesty.right;
   return honesty;
 }
 
@@ -105,38 +106,60 @@ double spinVariance(const vpHomogeneousMatrix &cMo, const vpMatrix &covariance)
   const Eigen::Vector3d normal = rotationOf(cMo).col(2);
   return normal.dot(turns * normal);
 }
+
+// What a correct build keeps. Of eight other seeds, each with as many images, the means are known: the bounds are four
+// standard deviations of one such run away from them, or, where a better closed form may lead to, a ratio of 1.
+struct Kept
+{
+  vpCircleMarkerFamily family;
+  double diameter;              // pixels
+  double leastDepth, mostDepth; // squared error over variance
+  double leastNormal, mostNormal;
+  unsigned int found, right, sure; // at least, of 80
+};
+
+void expectKept(const Honesty &honesty, const Kept &kept)
+{
+  const std::string what = kept.family.getName() + " " + std::to_string(kept.diameter);
+  EXPECT_GT(honesty.depth, kept.leastDepth) << what;
+  EXPECT_LT(honesty.depth, kept.mostDepth) << what;
+  EXPECT_GT(honesty.normal, kept.leastNormal) << what;
+  EXPECT_LT(honesty.normal, kept.mostNormal) << what;
+  EXPECT_GE(honesty.found, kept.found) << what;
+  EXPECT_GE(honesty.right, kept.right) << what;
+  EXPECT_GE(honesty.sure, kept.sure) << what;
+  EXPECT_LE(honesty.sureAndWrong, 1u) << what; // one of 7000 was
+}
 } // namespace
 
+// The refined pose's covariance is a hundredth of this one.
 TEST(DetectorUnrefined, CovarianceAndOddsAreThoseOfTheClosedForm)
 {
+  using Family = vpCircleMarkerFamily;
   Random random = randomOfTest();
-  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING}) {
-    for (const double diameter : {20., 35., 70., 150.}) {
-      const Honesty honesty = honestyOf(type, diameter, random);
-      // At most twice as far off as said; the refined pose's covariance is a hundredth of this.
-      EXPECT_LT(honesty.depth, 4.) << diameter;
-      EXPECT_LT(honesty.normal, 4.) << diameter;
-      EXPECT_GT(honesty.depth, 0.02) << diameter;
-      EXPECT_GT(honesty.normal, 0.02) << diameter;
-      EXPECT_GT(honesty.found, 60u) << diameter;
-      EXPECT_LE(honesty.sureAndWrong, 1u) << diameter;
-      EXPECT_TRUE(diameter < 100. || honesty.sure > 60u) << honesty.sure;
-    }
+  // Measured: depth 0.28, 0.54, 0.34, 0.18 and normal 0.56, 1.05, 0.40, 0.22; of rings the same, but 0.97 for 0.56.
+  for (const Kept &kept : {Kept{Family::GOLAY23, 20., 0.12, 1., 0.2, 1.4, 66, 44, 0},
+                           {Family::GOLAY23, 35., 0.28, 1., 0.7, 1.4, 78, 62, 8},
+                           {Family::GOLAY23, 70., 0.26, 1., 0.23, 1., 78, 76, 65},
+                           {Family::GOLAY23, 150., 0.04, 1., 0.07, 1., 78, 78, 74},
+                           {Family::RING, 20., 0.14, 1., 0.23, 1.75, 78, 53, 0},
+                           {Family::RING, 35., 0.4, 1., 0.84, 1.55, 78, 78, 6},
+                           {Family::RING, 70., 0.22, 1., 0.22, 1., 78, 78, 78},
+                           {Family::RING, 150., 0.08, 1., 0.14, 1., 78, 78, 78}}) {
+    expectKept(honestyOf(kept.family, kept.diameter, random), kept);
   }
 }
 
 TEST(DetectorUnrefined, CoveredMarkersAndThinRingsToo)
 {
   Random random = randomOfTest();
-  const Honesty covered = honestyOf(vpCircleMarkerFamily::GOLAY23, 120., random, true);
-  EXPECT_LT(covered.depth, 4.);
-  EXPECT_LT(covered.normal, 4.);
-  EXPECT_GT(covered.found, 20u);
-  for (const double diameter : {16., 24.}) {
-    const Honesty thin = honestyOf(vpCircleMarkerFamily::ring(0.9), diameter, random);
-    EXPECT_LT(thin.depth, 4.) << diameter;
-    EXPECT_LT(thin.normal, 4.) << diameter;
-    EXPECT_GT(thin.found, 15u) << diameter;
+  const Kept covered = {vpCircleMarkerFamily::GOLAY23, 120., 0.05, 1., 0.1, 1.4, 78, 77, 74};
+  expectKept(honestyOf(covered.family, covered.diameter, random, true), covered);
+  // The normal of the smallest thin rings is now and then far off: of other seeds its mean is 1 to 9, with this one
+  // less.
+  for (const Kept &kept : {Kept{vpCircleMarkerFamily::ring(0.9), 16., 0.4, 2., 0.1, 4., 42, 21, 0},
+                           {vpCircleMarkerFamily::ring(0.9), 24., 1., 2.55, 0.1, 2., 74, 50, 0}}) {
+    expectKept(honestyOf(kept.family, kept.diameter, random), kept);
   }
 }
 
