@@ -12,66 +12,29 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * The contract of tutorial-circle-marker-detector, from outside.
+ * The contract of tutorial-circle-marker-detector, from outside: what it says of markers.
  */
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
 
-#include "run_program.h"
+#include "detector_program.h"
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using namespace detector_program_test;
 
 namespace {
-const std::string data = CIRCLE_MARKER_DATA_DIR;
-const std::string referencePicture = data + "/pictures/golay23-id5.png";
-const std::string widePicture = data + "/pictures/wide-families.png";
-
 Json readJson(const std::string &path)
 {
   std::ifstream file(path);
   return Json::parse(file);
-}
-
-std::vector<Json> linesOf(const std::string &text)
-{
-  std::vector<Json> lines;
-  std::istringstream in(text);
-  std::string line;
-  while (std::getline(in, line)) {
-    lines.push_back(Json::parse(line));
-  }
-  return lines;
-}
-
-/*! Arguments for pictures of the reference camera. */
-std::vector<std::string> reference(const std::string &input, const std::vector<std::string> &more = {})
-{
-  std::vector<std::string> arguments = {"--input", input,    "--intrinsic", data + "/camera.xml", "--camera-name",
-                                        "Camera",  "--size", "0.18",        "--display-off"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
-/*! Arguments for pictures of the camera with distortion. */
-std::vector<std::string> wide(const std::string &input, const std::vector<std::string> &more = {})
-{
-  std::vector<std::string> arguments = {"--input",       input,  "--intrinsic", data + "/pictures/camera-wide.xml",
-                                        "--camera-name", "Wide", "--size",      "0.18",
-                                        "--display-off"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
 }
 
 void expectFiniteNumbers(const Json &list, std::size_t size, const std::string &what)
@@ -194,30 +157,37 @@ TEST(DetectorProgram, SeveralFamiliesThroughALensWithDistortion)
   expectTruth(lines[0], readJson(data + "/pictures/wide-families.json"), Bounds{1e-4, 5e-4, 0.2, 0.05});
 }
 
-TEST(DetectorProgram, UnreadableImageOfASequenceIsSkipped)
+TEST(DetectorProgram, SizesOfSingleMarkers)
+{
+  const test::Outcome outcome =
+      test::run(DETECTOR_PROGRAM, reference(referencePicture, {"--sizes", "4:1,5:0.36"}), test::emptyFolder());
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const Json marker = linesOf(outcome.out).at(0)["markers"][0];
+  EXPECT_EQ(marker["size_m"], 0.36);
+  EXPECT_NEAR(marker["cMo"][11].get<double>(), 3.2, 1e-3);
+}
+
+TEST(DetectorProgram, TrackingFindsTheSame)
 {
   const fs::path folder = test::emptyFolder();
-  for (const std::string number : {"0007", "0008", "0010"}) {
-    fs::copy_file(widePicture, folder / ("img" + number + ".png"));
+  for (int i = 0; i < 6; ++i) {
+    fs::copy_file(widePicture, folder / ("img" + std::to_string(i) + ".png"));
   }
-  const std::string damaged = test::contentOf(widePicture).substr(0, 20000);
-  std::ofstream(folder / "img0009.png", std::ios::binary) << damaged;
-  const test::Outcome outcome = test::run(
-      DETECTOR_PROGRAM, wide("img%04d.png", {"--json", "out.jsonl", "--overlay", "overlay-%02d.png"}), folder);
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("tutorial-circle-marker-detector: \"img0009.png\""), std::string::npos) << outcome.err;
-  const std::vector<Json> lines = linesOf(test::contentOf(folder / "out.jsonl"));
-  ASSERT_EQ(lines.size(), 3U);
-  const std::string names[] = {"img0007.png", "img0008.png", "img0010.png"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(lines[i]["image"], names[i]);
-    EXPECT_EQ(lines[i]["markers"].size(), 2U) << "two golay23 markers are in the picture";
+  const test::Outcome outcome = test::run(DETECTOR_PROGRAM, wide("img%d.png", {"--tracking", "4"}), folder);
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const std::vector<Json> lines = linesOf(outcome.out);
+  ASSERT_EQ(lines.size(), 6U);
+  for (const Json &line : lines) {
+    ASSERT_EQ(line["markers"].size(), 2U);
+    for (const std::size_t i : {0U, 1U}) {
+      EXPECT_EQ(line["markers"][i]["id"], lines[0]["markers"][i]["id"]);
+      for (const int axis : {0, 1}) {
+        EXPECT_NEAR(line["markers"][i]["center"][axis].get<double>(),
+                    lines[0]["markers"][i]["center"][axis].get<double>(), 1e-3);
+      }
+    }
   }
-  const std::vector<std::string> files = {"img0007.png", "img0008.png",    "img0009.png",    "img0010.png",
-                                          "out.jsonl",   "overlay-07.png", "overlay-08.png", "overlay-10.png"};
-  EXPECT_EQ(test::filesIn(folder), files);
-  const cv::Mat overlay = cv::imread((folder / "overlay-07.png").string());
-  EXPECT_EQ(overlay.size(), cv::Size(640, 480));
+  EXPECT_EQ(test::run(DETECTOR_PROGRAM, wide("img%d.png", {"--tracking", "0"}), folder).status, 2);
 }
 
 TEST(DetectorProgram, DebugWritesAPictureForEachRoom)
@@ -255,203 +225,4 @@ TEST(DetectorProgram, DebugWritesAPictureForEachRoom)
   EXPECT_EQ(markers, 2U);
   EXPECT_GT(others, 2U);
   EXPECT_EQ(test::run(DETECTOR_PROGRAM, wide(widePicture, {"--debug", "no-such-folder"}), folder).status, 2);
-}
-
-TEST(DetectorProgram, TrackingFindsTheSame)
-{
-  const fs::path folder = test::emptyFolder();
-  for (int i = 0; i < 6; ++i) {
-    fs::copy_file(widePicture, folder / ("img" + std::to_string(i) + ".png"));
-  }
-  const test::Outcome outcome = test::run(DETECTOR_PROGRAM, wide("img%d.png", {"--tracking", "4"}), folder);
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const std::vector<Json> lines = linesOf(outcome.out);
-  ASSERT_EQ(lines.size(), 6U);
-  for (const Json &line : lines) {
-    ASSERT_EQ(line["markers"].size(), 2U);
-    for (const std::size_t i : {0U, 1U}) {
-      EXPECT_EQ(line["markers"][i]["id"], lines[0]["markers"][i]["id"]);
-      for (const int axis : {0, 1}) {
-        EXPECT_NEAR(line["markers"][i]["center"][axis].get<double>(),
-                    lines[0]["markers"][i]["center"][axis].get<double>(), 1e-3);
-      }
-    }
-  }
-  EXPECT_EQ(test::run(DETECTOR_PROGRAM, wide("img%d.png", {"--tracking", "0"}), folder).status, 2);
-}
-
-TEST(DetectorProgram, FirstAndLastAskForEveryNumberBetween)
-{
-  const fs::path folder = test::emptyFolder();
-  fs::copy_file(widePicture, folder / "img3.png");
-  fs::copy_file(widePicture, folder / "img5.png");
-  const test::Outcome inside = test::run(DETECTOR_PROGRAM, wide("img%d.png", {"--first", "5", "--last", "5"}), folder);
-  EXPECT_EQ(inside.status, 0) << inside.err;
-  ASSERT_EQ(linesOf(inside.out).size(), 1U);
-  EXPECT_EQ(linesOf(inside.out)[0]["image"], "img5.png");
-  const test::Outcome gap = test::run(DETECTOR_PROGRAM, wide("img%d.png", {"--first", "3", "--last", "5"}), folder);
-  EXPECT_EQ(gap.status, 1);
-  EXPECT_NE(gap.err.find("img4.png"), std::string::npos) << gap.err;
-  EXPECT_EQ(linesOf(gap.out).size(), 2U);
-}
-
-TEST(DetectorProgram, ListOfPathsKeepsItsOrder)
-{
-  const fs::path folder = test::emptyFolder();
-  std::ofstream(folder / "list.txt") << "b.png\r\n\n" << widePicture << "\na.png\n";
-  cv::Mat color = cv::imread(widePicture, cv::IMREAD_COLOR);
-  cv::imwrite((folder / "a.png").string(), color);
-  cv::imwrite((folder / "b.png").string(), cv::Mat(480, 640, CV_8UC1, cv::Scalar(128)));
-  const test::Outcome outcome = test::run(DETECTOR_PROGRAM, wide("@list.txt"), folder);
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const std::vector<Json> lines = linesOf(outcome.out);
-  ASSERT_EQ(lines.size(), 3U);
-  EXPECT_EQ(lines[0]["image"], "b.png");
-  EXPECT_EQ(lines[1]["image"], widePicture);
-  EXPECT_EQ(lines[2]["image"], "a.png");
-  EXPECT_EQ(lines[0]["markers"].size(), 0U);
-  // The colour picture has three equal channels.
-  EXPECT_EQ(lines[1]["markers"], lines[2]["markers"]);
-}
-
-TEST(DetectorProgram, ImagesOfAnotherSizeThanTheCameraAreSaidSo)
-{
-  const test::Outcome outcome = test::run(DETECTOR_PROGRAM, reference(widePicture), test::emptyFolder());
-  EXPECT_EQ(outcome.status, 0);
-  EXPECT_NE(outcome.err.find("1280 x 960"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("640 x 480"), std::string::npos) << outcome.err;
-}
-
-TEST(DetectorProgram, AnImageThatNoCameraIsForIsLeftOut)
-{
-  const fs::path folder = test::emptyFolder();
-  // One name for two sizes: of a third size nobody knows the camera.
-  std::string xml = test::contentOf(data + "/camera.xml");
-  const std::size_t begin = xml.find("<camera>");
-  const std::size_t end = xml.rfind("</camera>") + 9;
-  ASSERT_NE(begin, std::string::npos);
-  std::string other = xml.substr(begin, end - begin);
-  other.replace(other.find("1280"), 4, "640");
-  other.replace(other.find("960"), 3, "480");
-  xml.insert(end, "\n" + other);
-  std::ofstream(folder / "cameras.xml") << xml;
-  cv::imwrite((folder / "small.png").string(), cv::Mat(240, 320, CV_8U, cv::Scalar(100)));
-  std::ofstream(folder / "list.txt") << referencePicture << "\nsmall.png\n" << referencePicture << "\n";
-  const test::Outcome outcome = test::run(DETECTOR_PROGRAM,
-                                          {"--input", "@list.txt", "--intrinsic", "cameras.xml", "--camera-name",
-                                           "Camera", "--size", "0.18", "--display-off", "--json", "out.jsonl"},
-                                          folder);
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("small.png\" is left out"), std::string::npos) << outcome.err;
-  EXPECT_EQ(linesOf(test::contentOf(folder / "out.jsonl")).size(), 2U);
-}
-
-TEST(DetectorProgram, APictureThatIsCutOffIsLeftOut)
-{
-  const fs::path folder = test::emptyFolder();
-  cv::imwrite((folder / "whole.jpg").string(), cv::imread(referencePicture));
-  const std::string jpeg = test::contentOf(folder / "whole.jpg");
-  std::ofstream(folder / "cut.jpg", std::ios::binary) << jpeg.substr(0, jpeg.size() / 3);
-  std::ofstream(folder / "list.txt") << "cut.jpg\nwhole.jpg\n";
-  const test::Outcome outcome = test::run(DETECTOR_PROGRAM, reference("@list.txt"), folder);
-  EXPECT_EQ(outcome.status, 1);
-  EXPECT_NE(outcome.err.find("cut.jpg\" is left out"), std::string::npos) << outcome.err;
-  ASSERT_EQ(linesOf(outcome.out).size(), 1U);
-  EXPECT_EQ(linesOf(outcome.out)[0]["markers"].size(), 1U);
-}
-
-TEST(DetectorProgram, AFrameThatCannotBeDecodedIsLeftOut)
-{
-  const fs::path folder = test::emptyFolder();
-  const std::string path = (folder / "video.avi").string();
-  cv::VideoWriter writer(path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10., cv::Size(640, 480));
-  for (int i = 0; i < 8; ++i) {
-    cv::Mat picture;
-    cv::resize(cv::imread(referencePicture), picture, cv::Size(640, 480));
-    writer << picture;
-  }
-  writer.release();
-  // The fourth JPEG picture is overwritten.
-  std::string video = test::contentOf(path);
-  std::size_t begin = 0;
-  for (int i = 0; i < 4; ++i) {
-    begin = video.find("\xff\xd8\xff", begin + 1);
-    ASSERT_NE(begin, std::string::npos);
-  }
-  const std::size_t end = video.find("\xff\xd9", begin);
-  std::fill(video.begin() + static_cast<std::ptrdiff_t>(begin), video.begin() + static_cast<std::ptrdiff_t>(end), '\0');
-  std::ofstream(path, std::ios::binary) << video;
-  const test::Outcome outcome = test::run(DETECTOR_PROGRAM, reference("video.avi"), folder);
-  EXPECT_EQ(outcome.status, 1) << outcome.err;
-  EXPECT_NE(outcome.err.find("video.avi#3\" is left out"), std::string::npos) << outcome.err;
-  EXPECT_EQ(linesOf(outcome.out).size(), 7U) << "and nothing but lines of JSON";
-}
-
-TEST(DetectorProgram, WhatIsReadIsNotReplaced)
-{
-  const fs::path folder = test::emptyFolder();
-  fs::copy_file(referencePicture, folder / "a.png");
-  const std::string before = test::contentOf(folder / "a.png");
-  for (const std::string option : {"--overlay", "--json"}) {
-    EXPECT_EQ(test::run(DETECTOR_PROGRAM, reference("a.png", {option, "./a.png"}), folder).status, 2) << option;
-  }
-  EXPECT_EQ(test::contentOf(folder / "a.png"), before);
-  const test::Outcome piped = test::run(DETECTOR_PROGRAM, reference("a.png", {"--json", "/dev/stdout"}), folder);
-  EXPECT_EQ(piped.status, 0) << piped.err;
-  EXPECT_EQ(linesOf(piped.out).size(), 1U);
-}
-
-TEST(DetectorProgram, SizesOfSingleMarkers)
-{
-  const test::Outcome outcome =
-      test::run(DETECTOR_PROGRAM, reference(referencePicture, {"--sizes", "4:1,5:0.36"}), test::emptyFolder());
-  ASSERT_EQ(outcome.status, 0) << outcome.err;
-  const Json marker = linesOf(outcome.out).at(0)["markers"][0];
-  EXPECT_EQ(marker["size_m"], 0.36);
-  EXPECT_NEAR(marker["cMo"][11].get<double>(), 3.2, 1e-3);
-}
-
-TEST(DetectorProgram, InputsThatCannotBeUsedEndWithOne)
-{
-  const fs::path folder = test::emptyFolder();
-  const std::vector<std::vector<std::string>> cases = {
-      reference("nothing.png"),
-      reference("nothing%d.png"),
-      reference("@nothing.txt"),
-      reference(referencePicture, {"--json", "no/such/folder/out.jsonl"}),
-      reference(referencePicture, {"--overlay", "overlay.nokind"}),
-      {"--input", referencePicture, "--intrinsic", data + "/camera.xml", "--camera-name", "Other", "--size", "1"},
-  };
-  for (const std::vector<std::string> &arguments : cases) {
-    const test::Outcome outcome = test::run(DETECTOR_PROGRAM, arguments, folder);
-    EXPECT_EQ(outcome.status, 1) << ::testing::PrintToString(arguments);
-    EXPECT_EQ(outcome.err.rfind("tutorial-circle-marker-detector: ", 0), 0U) << outcome.err;
-  }
-  EXPECT_TRUE(test::filesIn(folder).empty()) << "nothing is left of what could not be written";
-}
-
-TEST(DetectorProgram, WrongArgumentsEndWithTwo)
-{
-  const fs::path folder = test::emptyFolder();
-  const std::vector<std::vector<std::string>> cases = {
-      {},
-      {"--input", referencePicture},
-      reference(referencePicture, {"--nosuchoption"}),
-      reference(referencePicture, {"--family", "nosuchfamily"}),
-      reference(referencePicture, {"--sizes", "5=0.1"}),
-      reference(referencePicture, {"--ratio", "0.7", "--family", "golay23"}),
-      reference(""),
-      reference("img%d.png", {"--first", "5", "--last", "4"}),
-      reference("@list.txt", {"--first", "5"}),
-      reference(referencePicture, {"--last", "5"}),
-      reference("img%d.png", {"--overlay", "one-name.png"}),
-      {"--input", referencePicture, "--intrinsic", data + "/camera.xml", "--camera-name", "Camera", "--size", "0"},
-  };
-  for (const std::vector<std::string> &arguments : cases) {
-    const test::Outcome outcome = test::run(DETECTOR_PROGRAM, arguments, folder);
-    EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(arguments);
-    EXPECT_EQ(outcome.err.rfind("tutorial-circle-marker-detector: ", 0), 0U) << outcome.err;
-    EXPECT_EQ(outcome.out, "");
-  }
-  EXPECT_EQ(test::run(DETECTOR_PROGRAM, {"--help"}, folder).status, 0);
 }
