@@ -67,6 +67,30 @@ void writeCamera(const vpCameraParameters &cam, unsigned int width, unsigned int
 }
 
 /*!
+  A file as ROS writes it of a camera of 640 x 480 pixels, or OpenCV.
+  \param matrix : Nine numbers.
+  \param distortion : Its coefficients.
+  \param model : Name of the distortion model in ROS; empty: the file is OpenCV's.
+*/
+void writeYaml(const fs::path &file, const std::string &matrix, const std::vector<std::string> &distortion,
+               const std::string &model = "")
+{
+  const bool isOpenCv = model.empty();
+  const auto list = [&](const char *name, int rows, std::size_t columns, const std::string &numbers) {
+    return std::string(name) + (isOpenCv ? ": !!opencv-matrix\n" : ":\n") + "  rows: " + std::to_string(rows) +
+           "\n  cols: " + std::to_string(columns) + (isOpenCv ? "\n  dt: d" : "") + "\n  data: [" + numbers + "]\n";
+  };
+  std::string numbers;
+  for (const std::string &number : distortion) {
+    numbers += (numbers.empty() ? "" : ", ") + number;
+  }
+  std::ofstream(file) << (isOpenCv ? "%YAML:1.0\n---\n" : "camera_name: left\n")
+                      << "image_width: 640\nimage_height: 480\n"
+                      << list("camera_matrix", 3, 3, matrix) << (isOpenCv ? "" : "distortion_model: " + model + "\n")
+                      << list("distortion_coefficients", 1, distortion.size(), numbers);
+}
+
+/*!
   The true camera must lie within its standard deviations. Of n numbers the squared distance is one of chi square
   with n degrees of freedom, here divided by n: of four numbers its root is beyond 2.1 once in 700 times.
 */
@@ -231,11 +255,7 @@ TEST(CalibrateProgram, RealPhotographsAsWellAsVisp)
 TEST(CalibrateProgram, ReadsTheCamerasOfOpenCvAndRos)
 {
   const fs::path folder = test::emptyFolder();
-  std::ofstream(folder / "opencv.yml") << "%YAML:1.0\n---\nimage_width: 640\nimage_height: 480\n"
-                                          "camera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n"
-                                          "   data: [ 600., 0., 320., 0., 601., 240., 0., 0., 1. ]\n"
-                                          "distortion_coefficients: !!opencv-matrix\n   rows: 5\n   cols: 1\n   dt: d\n"
-                                          "   data: [ -0.1, 0., 0., 0., 0. ]\n";
+  writeYaml(folder / "opencv.yml", "600., 0., 320., 0., 601., 240., 0., 0., 1.", {"-0.1", "0.", "0.", "0.", "0."});
   const test::Outcome opencv =
       calibrate({"--convert", "opencv.yml", "--model", "distortion", "--output", "cam.xml"}, folder);
   ASSERT_EQ(opencv.status, 0) << opencv.err;
@@ -244,12 +264,8 @@ TEST(CalibrateProgram, ReadsTheCamerasOfOpenCvAndRos)
   EXPECT_NEAR(camera.parameters.get_kud(), -0.1, 0.01);
   EXPECT_NEAR(camera.parameters.get_kdu(), 0.11, 0.02);
   EXPECT_NEAR(camera.parameters.get_px(), 600., 1.);
-  std::ofstream(folder / "ros.yaml") << "image_width: 640\nimage_height: 480\ncamera_name: left\n"
-                                        "camera_matrix:\n  rows: 3\n  cols: 3\n"
-                                        "  data: [300.5, 0, 320, 0, 301, 240, 0, 0, 1]\n"
-                                        "distortion_model: equidistant\n"
-                                        "distortion_coefficients:\n  rows: 1\n  cols: 4\n"
-                                        "  data: [-0.02, 0.003, 0.0001, 0]\n";
+  writeYaml(folder / "ros.yaml", "300.5, 0, 320, 0, 301, 240, 0, 0, 1", {"-0.02", "0.003", "0.0001", "0"},
+            "equidistant");
   const test::Outcome ros =
       calibrate({"--convert", "ros.yaml", "--model", "kannala-brandt", "--output", "ros.xml"}, folder);
   ASSERT_EQ(ros.status, 0) << ros.err;
@@ -267,12 +283,7 @@ TEST(CalibrateProgram, ReadsTheCamerasOfOpenCvAndRos)
 TEST(CalibrateProgram, DistortionThatFoldsTheImageIsRefused)
 {
   const fs::path folder = test::emptyFolder();
-  std::ofstream(folder / "folded.yaml") << "image_width: 640\nimage_height: 480\n"
-                                           "camera_matrix:\n  rows: 3\n  cols: 3\n"
-                                           "  data: [300, 0, 320, 0, 300, 240, 0, 0, 1]\n"
-                                           "distortion_model: plumb_bob\n"
-                                           "distortion_coefficients:\n  rows: 1\n  cols: 4\n"
-                                           "  data: [-0.9, 0, 0, 0]\n";
+  writeYaml(folder / "folded.yaml", "300, 0, 320, 0, 300, 240, 0, 0, 1", {"-0.9", "0", "0", "0"}, "plumb_bob");
   const test::Outcome folded =
       calibrate({"--convert", "folded.yaml", "--model", "distortion", "--output", "folded.xml"}, folder);
   EXPECT_EQ(folded.status, 1);
