@@ -19,13 +19,13 @@
 #define VP_TEST_CREATE_PROGRAM_H
 
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "json_lines.h"
 #include "run_program.h"
 
 namespace test {
@@ -40,12 +40,7 @@ inline std::vector<nlohmann::json> linesOf(const Outcome &outcome)
 {
   EXPECT_EQ(0, outcome.status) << outcome.err;
   EXPECT_EQ("", outcome.err);
-  std::vector<nlohmann::json> lines;
-  std::istringstream stream(outcome.out);
-  for (std::string line; std::getline(stream, line);) {
-    lines.push_back(nlohmann::json::parse(line));
-  }
-  return lines;
+  return linesOf(outcome.out);
 }
 } // namespace test
 

@@ -19,7 +19,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -28,6 +27,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "json_lines.h"
 #include "run_program.h"
 
 namespace fs = std::filesystem;
@@ -49,12 +49,7 @@ std::vector<Json> runScript(const std::string &script, const fs::path &folder,
   arguments.insert(arguments.end(), more.begin(), more.end());
   const test::Outcome outcome = test::run(SIMULATOR_PROGRAM, arguments, folder);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  std::vector<Json> lines;
-  std::istringstream in(test::contentOf(folder / "out.jsonl"));
-  for (std::string line; std::getline(in, line);) {
-    lines.push_back(Json::parse(line));
-  }
-  return lines;
+  return test::linesOf(test::contentOf(folder / "out.jsonl"));
 }
 
 const Json *find(const Json &line, int id)

@@ -17,7 +17,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -25,6 +24,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "json_lines.h"
 #include "run_program.h"
 #include "screen.h"
 
@@ -42,12 +42,7 @@ std::vector<Json> act(const fs::path &folder, const std::vector<std::string> &ac
   }
   const test::Outcome outcome = test::run(IN_X_SERVER, arguments, folder);
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  std::vector<Json> lines;
-  std::istringstream in(test::contentOf(folder / "out.jsonl"));
-  for (std::string line; std::getline(in, line);) {
-    lines.push_back(Json::parse(line));
-  }
-  return lines;
+  return test::linesOf(test::contentOf(folder / "out.jsonl"));
 }
 
 double number(const Json &line, int element)
