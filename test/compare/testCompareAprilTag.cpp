@@ -18,75 +18,22 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "../create/csv_rows.h"
 #include "../create/run_program.h"
 
 using namespace test;
 
 namespace {
-using Row = std::map<std::string, std::string>;
-
 const std::vector<std::string> methods = {"circle", "apriltag-1", "apriltag-1-half-pixel", "apriltag-2",
                                           "apriltag-2-half-pixel"};
 constexpr std::size_t cellCount = 5;
 constexpr unsigned int frames = 5;
-
-std::vector<std::string> split(const std::string &line)
-{
-  std::vector<std::string> fields(1);
-  for (const char letter : line) {
-    if (letter == ',') {
-      fields.emplace_back();
-    }
-    else {
-      fields.back() += letter;
-    }
-  }
-  return fields;
-}
-
-/*! The rows of a CSV file without its comments; the first line names the columns. */
-std::vector<Row> rowsOf(const std::string &csv)
-{
-  std::vector<Row> rows;
-  std::vector<std::string> names;
-  std::istringstream stream(csv);
-  for (std::string line; std::getline(stream, line);) {
-    if (line.rfind('#', 0) == 0) {
-      continue;
-    }
-    const std::vector<std::string> fields = split(line);
-    if (names.empty()) {
-      names = fields;
-      continue;
-    }
-    EXPECT_EQ(fields.size(), names.size()) << line;
-    Row row;
-    for (std::size_t i = 0; i < std::min(fields.size(), names.size()); ++i) {
-      row[names[i]] = fields[i];
-    }
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-/*! A CSV file without its last column, the time. */
-std::string withoutTimes(const std::string &csv)
-{
-  std::string text;
-  std::istringstream stream(csv);
-  for (std::string line; std::getline(stream, line);) {
-    text += (line.rfind('#', 0) == 0 ? line : line.substr(0, line.rfind(','))) + "\n";
-  }
-  return text;
-}
 
 double number(const Row &row, const std::string &column)
 {
