@@ -23,61 +23,18 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "../create/csv_rows.h"
 #include "../create/run_program.h"
 
 using namespace test;
-using Row = std::map<std::string, std::string>;
 
 namespace {
 const bool hasGnuplot = std::string(GNUPLOT) != "";
-
-std::vector<Row> rowsOf(const std::string &csv)
-{
-  std::vector<Row> rows;
-  std::vector<std::string> names;
-  std::istringstream stream(csv);
-  for (std::string line; std::getline(stream, line);) {
-    if (line.rfind('#', 0) == 0) {
-      continue;
-    }
-    std::vector<std::string> fields(1);
-    for (const char letter : line) {
-      if (letter == ',') {
-        fields.emplace_back();
-      }
-      else {
-        fields.back() += letter;
-      }
-    }
-    if (names.empty()) {
-      names = fields;
-      continue;
-    }
-    EXPECT_EQ(fields.size(), names.size());
-    Row row;
-    for (std::size_t i = 0; i < std::min(fields.size(), names.size()); ++i) {
-      row[names[i]] = fields[i];
-    }
-    rows.push_back(row);
-  }
-  return rows;
-}
 
 double number(const Row &row, const std::string &column)
 {
   const std::string &text = row.at(column);
   return text.empty() ? std::nan("") : std::stod(text);
-}
-
-/*! The rows without their CPU times, the last column. */
-std::string withoutTimes(const std::string &csv)
-{
-  std::string text;
-  std::istringstream stream(csv);
-  for (std::string line; std::getline(stream, line);) {
-    text += (line.rfind('#', 0) == 0 ? line : line.substr(0, line.rfind(','))) + "\n";
-  }
-  return text;
 }
 
 /*! One image of everything, made once. */
