@@ -73,11 +73,10 @@ void MarkerPlaces::keep(Place place)
   const Eigen::Matrix2d turn = Eigen::Rotation2Dd(-outline.angle).toRotationMatrix();
   place.toUnit = Eigen::Vector2d(1. / outline.a, 1. / outline.b).asDiagonal() * turn;
   const auto number = static_cast<int>(m_places.size());
-  // Half the sides of the box around an ellipse: the norms of its axes' components.
-  const double halfWidth = std::hypot(outline.a * turn(0, 0), outline.b * turn(1, 0));
-  const double halfHeight = std::hypot(outline.a * turn(0, 1), outline.b * turn(1, 1));
-  m_index.addBox(number, outline.center.x() - halfWidth, outline.center.y() - halfHeight,
-                 outline.center.x() + halfWidth, outline.center.y() + halfHeight);
+  const Eigen::Vector2d half = halfExtents(outline);
+  const Eigen::Vector2d least = outline.center - half;
+  const Eigen::Vector2d most = outline.center + half;
+  m_index.addBox(number, least.x(), least.y(), most.x(), most.y());
   m_places.push_back(place);
 }
 

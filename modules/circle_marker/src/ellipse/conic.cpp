@@ -107,6 +107,14 @@ std::optional<EllipseParameters> ellipseFromConic(const Eigen::Matrix3d &Q)
   return ellipse;
 }
 
+Eigen::Vector2d halfExtents(const EllipseParameters &ellipse)
+{
+  const double c = std::cos(ellipse.angle);
+  const double s = std::sin(ellipse.angle);
+  // The norms of its axes' components.
+  return {std::hypot(ellipse.a * c, ellipse.b * s), std::hypot(ellipse.a * s, ellipse.b * c)};
+}
+
 Eigen::Matrix3d conicFromEllipse(const EllipseParameters &ellipse)
 {
   // Scaled by b^2, so that a slender ellipse stays finite: (distance along b)^2 + (b / a)^2 (distance along a)^2 = b^2.

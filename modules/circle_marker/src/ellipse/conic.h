@@ -60,6 +60,9 @@ std::optional<CenteredEllipse> centerConic(const Eigen::Matrix3d &Q);
 /*! Axes of a conic; nothing if it is not a real ellipse of finite, positive size. */
 std::optional<EllipseParameters> ellipseFromConic(const Eigen::Matrix3d &Q);
 
+/*! Half the width and half the height of the upright box around an ellipse. */
+Eigen::Vector2d halfExtents(const EllipseParameters &ellipse);
+
 /*! Conic of an ellipse: unit Frobenius norm, negative inside. */
 Eigen::Matrix3d conicFromEllipse(const EllipseParameters &ellipse);
 

@@ -53,16 +53,12 @@ bool touch(const PixelBox &p, const PixelBox &q)
 
 PixelBox boxAround(const EllipseParameters &ellipse, double margin, int width, int height)
 {
-  const double c = std::cos(ellipse.angle);
-  const double s = std::sin(ellipse.angle);
-  // Half the sides of the box around an ellipse: the norms of its axes' components.
-  const double halfWidth = std::hypot(ellipse.a * c, ellipse.b * s) + margin;
-  const double halfHeight = std::hypot(ellipse.a * s, ellipse.b * c) + margin;
+  const Eigen::Vector2d half = halfExtents(ellipse) + Eigen::Vector2d::Constant(margin);
   const auto inside = [](double value, int limit) {
     return static_cast<int>(std::clamp(value, 0., static_cast<double>(limit)));
   };
-  return {inside(ellipse.center.x() - halfWidth, width), inside(ellipse.center.y() - halfHeight, height),
-          inside(ellipse.center.x() + halfWidth + 1., width), inside(ellipse.center.y() + halfHeight + 1., height)};
+  return {inside(ellipse.center.x() - half.x(), width), inside(ellipse.center.y() - half.y(), height),
+          inside(ellipse.center.x() + half.x() + 1., width), inside(ellipse.center.y() + half.y() + 1., height)};
 }
 
 // The outline in the next image, if it goes on as it did; the speed of its turn is not known.
