@@ -23,6 +23,7 @@
 #include <optional>
 
 #include "support/bilinear.h"
+#include "support/parabola.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -65,8 +66,7 @@ std::optional<Eigen::Vector2d> firstDarkLine(const vpImage<unsigned char> &I, co
       darkest = i;
     }
     else if (grey > greys[darkest] + rise) {
-      const double curvature = greys[darkest - 1] - 2. * greys[darkest] + greys[darkest + 1];
-      const double offset = curvature > 0. ? 0.5 * (greys[darkest - 1] - greys[darkest + 1]) / curvature : 0.;
+      const double offset = vertexOfParabola(greys[darkest - 1], greys[darkest], greys[darkest + 1]);
       return positionAt(static_cast<double>(darkest) + offset);
     }
   }

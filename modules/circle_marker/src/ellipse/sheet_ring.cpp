@@ -24,6 +24,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "support/bilinear.h"
+#include "support/parabola.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -202,10 +203,7 @@ std::optional<EllipseParameters> darkLineOfSheet(const vpImage<unsigned char> &I
   if (darkest == 0) {
     return std::nullopt;
   }
-  const double before = (*greys)[darkest - 1];
-  const double after = (*greys)[darkest + 1];
-  const double curvature = before - 2. * (*greys)[darkest] + after;
-  const double offset = curvature > 0. ? 0.5 * (before - after) / curvature : 0.;
+  const double offset = vertexOfParabola((*greys)[darkest - 1], (*greys)[darkest], (*greys)[darkest + 1]);
   const double size = sizeAt(static_cast<double>(darkest) + offset);
   const Eigen::Vector2d major = shape->axes.col(0);
   EllipseParameters ellipse;
