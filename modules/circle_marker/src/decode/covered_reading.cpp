@@ -23,6 +23,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "decode/marker_light.h"
 #include "support/bilinear.h"
 #include "support/normal_distribution.h"
 
@@ -55,8 +56,6 @@ constexpr double sameAcross = 0.5;
 constexpr double notAllSeen = 0.6;
 // What covers a part of the ring is as white as paper to this share of the light.
 constexpr double whiteCover = 0.25;
-// Where in the quiet zone white is read: past the blur of the ring, short of the surround.
-constexpr double whiteOfQuietZone = 0.6;
 // Where the white centre is read, in units of the track's inner radius.
 constexpr double whiteOfCenter = 0.75;
 // Holds the slope of the light to none where the directions that are seen do not fix it: share of their number.
@@ -100,7 +99,7 @@ public:
         m_count(coveredSamplesPerSector * family.getNbSectors())
   {
     const double width = m_layout.codeOuter - m_layout.codeInner;
-    m_radii = {1. + whiteOfQuietZone * m_layout.quietZone,
+    m_radii = {radiusOfWhite(m_layout.quietZone),
                0.5 * (1. + m_layout.ringInner),
                0.5 * (m_layout.ringInner + m_layout.codeOuter),
                m_layout.codeInner + 0.7 * width,

@@ -28,6 +28,17 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
+  Radius of the circle on which the white of a quiet zone is read, in outer radii: past the blur of the ring, short of
+  the surround.
+  \param quietZone : Width of the zone, in outer radii.
+*/
+inline double radiusOfWhite(double quietZone)
+{
+  constexpr double place = 0.6; // from the ring (0) to where the zone ends (1)
+  return 1. + place * quietZone;
+}
+
+/*!
   Grey level of white paper over a marker's plane: a plane, or the square of one, as a camera's gamma may leave it,
   which the shadow with a straight edge that may cross the marker multiplies by what it leaves of the light (straight
   lines of the image are straight in the plane).

@@ -32,8 +32,6 @@ namespace {
 // The white centre is brighter than the ring by this share of the contrast at least: a ring of 17 pixels at 60 degrees
 // keeps nine tenths after the blur, while a dark blob taken for a marker is darkest there.
 constexpr double leastCenter = 0.2;
-// Where in the quiet zone white is read: past the blur of the ring, short of the surround.
-constexpr double whiteOfQuietZone = 0.6;
 // Least contrast of the ring, grey levels.
 constexpr double leastContrast = 6.;
 // Half of the width of a shadow's edge, in units of the blur, and what a sample on it counts.
@@ -57,7 +55,7 @@ vpCircleMarkerReject judgeRing(const vpImage<unsigned char> &I, const CameraMode
     const double angle = 2. * M_PI * i / directions;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    const auto outside = sampleAt(I, camera, plane, 1. + whiteOfQuietZone * layout.quietZone, c, s);
+    const auto outside = sampleAt(I, camera, plane, radiusOfWhite(layout.quietZone), c, s);
     const auto ring = sampleAt(I, camera, plane, 0.5 * (1. + layout.ringInner), c, s);
     if (!outside || !ring) {
       return vpCircleMarkerReject::OUT_OF_IMAGE;
@@ -78,7 +76,7 @@ Judged<CodeTrack> sampleTrack(const vpImage<unsigned char> &I, const CameraModel
   // The middle half of the track: its rims are blurred into the white beside.
   const double radii[3] = {layout.codeInner + 0.3 * width, layout.codeInner + 0.5 * width,
                            layout.codeInner + 0.7 * width};
-  const double whiteRadius = 1. + whiteOfQuietZone * layout.quietZone;
+  const double whiteRadius = radiusOfWhite(layout.quietZone);
   const double blackRadius = 0.5 * (1. + layout.ringInner);
   CodeTrack track;
   track.samples = samplesPerSector * family.getNbSectors();

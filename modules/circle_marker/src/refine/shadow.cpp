@@ -27,9 +27,8 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Looks around the marker, and where in the quiet zone: nearer to its end than to the ring's blur.
+// Looks around the marker.
 constexpr std::size_t directions = 64;
-constexpr double placeInQuietZone = 0.6;
 // Softness that a fit starts with: of a shadow's edge little is known, pixels.
 constexpr double commonSoftness = 2.;
 // In units of the marker's size; a softer edge is a gradient.
@@ -39,7 +38,7 @@ constexpr double mostSoftness = 0.3;
 std::optional<Shadow> shadowOn(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
                                const MarkerPlane &plane, double quietZone)
 {
-  const double radius = 1. + placeInQuietZone * quietZone;
+  const double radius = radiusOfWhite(quietZone);
   std::array<double, directions> whites;
   for (std::size_t k = 0; k < directions; ++k) {
     const double angle = 2. * M_PI * static_cast<double>(k) / directions;
