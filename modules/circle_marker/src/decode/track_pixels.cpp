@@ -28,18 +28,12 @@ namespace {
 // What the model leaves of a level, share of the contrast; a pixel's noise comes to it, this many standard deviations.
 constexpr double modelError = 0.015;
 constexpr double mostOfNoise = 3.5;
-// Standard deviation of what the model leaves, and how much more the root mean square of a sector's pixels may be,
-// divided by the root of their number: it is known to 0.7 of that.
-constexpr double usualError = 0.008;
+// How much more than usual the root mean square of what is left of a sector's pixels may be, divided by the root of
+// their number: it is known to 0.7 of that.
 constexpr double mostOfSpread = 1.6;
 // A pixel that is that near to ink or paper, or beyond it, in standard deviations of noise besides the model's error,
 // is like it: most pixels of a cover that has just this grey level are.
 constexpr double likeOfNoise = 1.;
-// Pixels of a cover that make it one.
-constexpr int fewestOfCover = 2;
-// Parts of a sector for which it is told apart, and the parts to either side that are taken to be covered by the same.
-constexpr unsigned int partsPerSector = 8;
-constexpr unsigned int coverReach = 3;
 // The inner part of the centre, in which directions are not told apart.
 constexpr double middleOfCenter = 0.28;
 // A pixel shows a sector alone if its share of it is this share of the greatest that any pixel has.
@@ -138,12 +132,10 @@ void TrackPixels::findCover()
   std::array<int, mostSamples> paper{};
   int all = 0;
   for (const Pixel &pixel : m_pixels) {
-    const double lowest = 1. - pixel.ring - pixel.track;
-    const double highest = 1. - pixel.ring;
-    if (pixel.level > lowest - m_slack && pixel.level < highest + m_slack) {
+    if (pixel.mayBePrint(m_slack)) {
       continue;
     }
-    const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
+    const std::size_t part = pixel.partOf(parts);
     ink[part] += pixel.level < like ? 1 : 0;
     const bool isLikePaper = pixel.isCutOff || pixel.level > 1. - like;
     paper[part] += isLikePaper ? 1 : 0;
@@ -186,7 +178,7 @@ void TrackPixels::turnTo(double phase)
     placed.own = pixel.track - placed.before - placed.after; // pure ones hardly feel that black grows at borders
     placed.residual = pixel.level - (1. - pixel.ring);
     placed.isCutOff = pixel.isCutOff;
-    const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
+    const std::size_t part = pixel.partOf(parts);
     placed.isTrusted = {!m_paperCover[part], !m_inkCover[part]};
     purest[placed.sector] = std::max(purest[placed.sector], placed.own);
     m_placed.push_back(placed);
@@ -236,7 +228,7 @@ bool TrackPixels::isSo(const Tally &tally, std::size_t kind, bool trusts) const
       tally.explained[1 - kind] > mostOfOther * tally.explained[kind]) {
     return false;
   }
-  const double usual = std::hypot(m_noise, usualError) * (1. + mostOfSpread / std::sqrt(tally.explained[kind]));
+  const double usual = std::hypot(m_noise, usualModelError) * (1. + mostOfSpread / std::sqrt(tally.explained[kind]));
   return tally.squares[kind] < usual * usual * tally.explained[kind];
 }
 

@@ -35,6 +35,18 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*!
+  Parts of a sector for which it is told apart whether something covers them; and the parts to either side that are
+  taken to be covered by the same.
+*/
+constexpr unsigned int partsPerSector = 8;
+constexpr unsigned int coverReach = 3;
+/*! Pixels of a cover that make it one. */
+constexpr int fewestOfCover = 2;
+/*! Standard deviation of what the model leaves of a pixel's level, share of the contrast: common to those of a sector.
+ */
+constexpr double usualModelError = 0.008;
+
 /*! What the pixels say of a codeword; of the sectors that are left nothing is said. */
 struct CodewordVerdict
 {
@@ -58,6 +70,12 @@ struct TrackMemory
     double growth = 0.;    //!< By which black is larger there, turns.
     std::size_t cell = 0;  //!< Its place in the grid.
     bool isCutOff = false; //!< Whether it is that bright, or brighter.
+
+    /*! Number of its part of the code track, of so many. */
+    std::size_t partOf(unsigned int parts) const { return static_cast<std::size_t>(turn * parts) % parts; }
+
+    /*! Whether it may show the print, whatever the sectors are. slack: what its level may be off. */
+    bool mayBePrint(double slack) const { return level > 1. - ring - track - slack && level < 1. - ring + slack; }
   };
   /*! A pixel on the grid of sectors. */
   struct Placed

@@ -28,9 +28,8 @@ namespace circle_marker {
 namespace {
 // Least share of its sector that a pixel must show to tell it.
 constexpr float leastOwn = 0.3f;
-// Standard deviation of what the model leaves of a level, common to the pixels of a sector, share of the contrast.
-constexpr double usualError = 0.008;
-// The same of a pixel at an edge, which phase and pose move.
+// Standard deviation of what the model leaves of a pixel's level at an edge, which phase and pose move, share of the
+// contrast.
 constexpr double edgeError = 0.02;
 // So many standard deviations hold three quarters of the pixels. Of a cover whose grey level is off by two they hold a
 // fifth; of a sector with the cover's blurred edge in it most.
@@ -44,13 +43,8 @@ constexpr double brightestCover = 1.1;
 constexpr double tellingPixels = 3.;
 // Levels that near to ink and paper may be the cover's, not those in between.
 constexpr float nearPrint = 0.12f;
-// Parts of a sector for which covers are told apart; parts to either side that are taken to be covered by the same, and
-// parts beyond over which that becomes unlikely.
-constexpr unsigned int partsPerSector = 8;
-constexpr unsigned int coverReach = 3;
+// Parts of a sector beyond coverReach over which it becomes unlikely that the same covers them.
 constexpr unsigned int coverFades = 16;
-// Pixels of a cover that make it one.
-constexpr int fewestOfCover = 2;
 // What a sector says for itself that may be covered by something like it: the odds that it is not covered.
 constexpr double doubtful = 0.5;
 // What the edges of a sector say, rims and borders, which no cover of one grey level has.
@@ -59,7 +53,7 @@ constexpr double edgeOdds = 4.;
 
 WordEvidence::WordEvidence(const TrackPixels &pixels)
     : m_pixels(pixels), m_sectors(pixels.getSectors()), m_slack(static_cast<float>(pixels.getSlack())),
-      m_inner(static_cast<float>(innerDeviations * std::hypot(pixels.getNoise(), usualError))),
+      m_inner(static_cast<float>(innerDeviations * std::hypot(pixels.getNoise(), usualModelError))),
       m_innerAtEdge(static_cast<float>(innerDeviations * std::hypot(pixels.getNoise(), edgeError))),
       m_explained(pixels.getMemory().explained)
 {
@@ -85,12 +79,10 @@ void WordEvidence::findCover()
     kind.fill(0);
   }
   for (const Pixel &pixel : m_pixels.getMemory().pixels) {
-    const double lowest = 1. - pixel.ring - pixel.track;
-    const double highest = 1. - pixel.ring;
-    if (pixel.level > lowest - m_slack && pixel.level < highest + m_slack) {
+    if (pixel.mayBePrint(m_slack)) {
       continue;
     }
-    const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
+    const std::size_t part = pixel.partOf(parts);
     m_cover[0][part] += pixel.isCutOff || std::abs(1. - pixel.level) < m_slack ? 1 : 0;
     m_cover[1][part] += std::abs(pixel.level) < m_slack ? 1 : 0;
   }
@@ -194,7 +186,7 @@ void WordEvidence::count(std::size_t i, std::array<Tally, patterns> &ofSector) c
   const Pixel &pixel = m_pixels.getMemory().pixels[i];
   const Explained &placed = m_explained[i];
   const unsigned int parts = partsPerSector * m_sectors;
-  const auto part = static_cast<std::size_t>(pixel.turn * parts) % parts;
+  const std::size_t part = pixel.partOf(parts);
   const std::uint32_t shown = patternsShownAt(i);
   for (unsigned int pattern = 0; pattern < patterns; ++pattern) {
     if (((shown >> pattern) & 1U) == 0) {
@@ -223,7 +215,7 @@ WordEvidence::Told WordEvidence::toldBy(const Tally &tally) const
   const double seen = 1. - std::exp(-count / tellingPixels);
   const double trust = tally.trusted / count;
   const double told = trust * seen;
-  const double ofMean = std::sqrt(noise * noise / count + usualError * usualError);
+  const double ofMean = std::sqrt(noise * noise / count + usualModelError * usualModelError);
   const double ofCutOff = tally.cutOff / count; // share of the pixels that all brighter covers look like
   const double chance = (1. - ofCutOff) * std::log(coverRange / (std::sqrt(2. * M_PI) * ofMean)) +
                         ofCutOff * std::log(coverRange / m_cutOffRange);
@@ -265,7 +257,7 @@ void WordEvidence::findCoverBeside(CyclicCode::Word word)
       continue;
     }
     const double level = pixels[i].level;
-    const auto part = static_cast<std::size_t>(pixels[i].turn * parts) % parts;
+    const std::size_t part = pixels[i].partOf(parts);
     m_cover[0][part] += placed.isCutOff || std::abs(1. - level) < m_slack ? 1 : 0;
     m_cover[1][part] += std::abs(level) < m_slack ? 1 : 0;
   }

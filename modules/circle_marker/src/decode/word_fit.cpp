@@ -167,7 +167,7 @@ void WordEvidence::leaveOutUnexplained(CyclicCode::Word word, SeenParts &seen) c
     if (!isOnTrack && pixels[i].ring < leastInkOfRing) {
       continue;
     }
-    const auto part = static_cast<std::size_t>(pixels[i].turn * seen.directions) % seen.directions;
+    const std::size_t part = pixels[i].partOf(seen.directions);
     const unsigned int colours = coloursAt(bits, placed.sector, m_sectors);
     Count &count = (isOnTrack ? onTrack : onRing)[part];
     ++count.all;
