@@ -29,6 +29,7 @@
 #include <visp3/core/vpException.h>
 
 #include "pose/circle_covariance.h"
+#include "pose/circle_evidence.h"
 #include "pose/image_ellipse.h"
 #include "pose/pose_circle_impl.h"
 
@@ -232,13 +233,7 @@ double vpPoseCircle::computeResidual(const vpHomogeneousMatrix &cMo) const
   if (!isPositive(cMo[2][3])) {
     return HUGE_VAL;
   }
-  const Eigen::Matrix3d Q = conicFromPose(cMo, m_impl->m_radius);
-  double sum = 0.;
-  for (const Eigen::Vector2d &point : m_impl->contour()) {
-    const double distance = sampsonDistance(Q, point);
-    sum += distance * distance;
-  }
-  return sum;
+  return squaredDistances(conicFromPose(cMo, m_impl->m_radius), m_impl->contour());
 }
 
 /*!

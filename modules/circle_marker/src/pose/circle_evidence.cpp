@@ -23,15 +23,19 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-double squaredDistances(const CirclePosition &circle, double radius, const std::vector<Eigen::Vector2d> &points)
+double squaredDistances(const Eigen::Matrix3d &conic, const std::vector<Eigen::Vector2d> &points)
 {
-  const Eigen::Matrix3d Q = conicFromPose(poseFromCirclePosition(circle), radius);
   double sum = 0.;
   for (const Eigen::Vector2d &point : points) {
-    const double distance = sampsonDistance(Q, point);
+    const double distance = sampsonDistance(conic, point);
     sum += distance * distance;
   }
   return sum;
+}
+
+double squaredDistances(const CirclePosition &circle, double radius, const std::vector<Eigen::Vector2d> &points)
+{
+  return squaredDistances(conicFromPose(poseFromCirclePosition(circle), radius), points);
 }
 
 double concentricLogOdds(const std::array<CirclePosition, 2> &circles, double radius,

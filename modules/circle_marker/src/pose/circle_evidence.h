@@ -31,6 +31,9 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! Sum of squared distances of points to a conic. */
+double squaredDistances(const Eigen::Matrix3d &conic, const std::vector<Eigen::Vector2d> &points);
+
 /*! Sum of squared distances, normalised coordinates, of points to the image of a circle. */
 double squaredDistances(const CirclePosition &circle, double radius, const std::vector<Eigen::Vector2d> &points);
 
