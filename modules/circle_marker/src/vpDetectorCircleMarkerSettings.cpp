@@ -19,6 +19,8 @@
 
 #include <visp3/core/vpException.h>
 
+#include "support/visp_matrix.h"
+
 BEGIN_VISP_NAMESPACE
 
 /*!
@@ -168,13 +170,7 @@ void vpDetectorCircleMarker::setCameraCovariance(const vpMatrix &covariance)
 */
 vpMatrix vpDetectorCircleMarker::getCameraCovariance() const
 {
-  vpMatrix covariance(4, 4);
-  for (unsigned int i = 0; i < 4; ++i) {
-    for (unsigned int j = 0; j < 4; ++j) {
-      covariance[i][j] = m_impl->settings.cameraCovariance(i, j);
-    }
-  }
-  return covariance;
+  return circle_marker::vispMatrix(m_impl->settings.cameraCovariance);
 }
 
 /*!

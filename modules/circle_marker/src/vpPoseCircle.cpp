@@ -32,6 +32,7 @@
 #include "pose/circle_evidence.h"
 #include "pose/image_ellipse.h"
 #include "pose/pose_circle_impl.h"
+#include "support/visp_matrix.h"
 
 BEGIN_VISP_NAMESPACE
 using namespace circle_marker;
@@ -193,14 +194,7 @@ bool vpPoseCircle::computePose(vpHomogeneousMatrix &cMo, vpHomogeneousMatrix *cM
   }
   m_impl->m_covariance.reset();
   if (m_impl->m_computeCovariance) {
-    const Eigen::Matrix<double, 6, 6> C = circleCovariance((*circles)[0], m_impl->contour(), m_impl->m_sigma);
-    vpMatrix covariance(6, 6);
-    for (unsigned int i = 0; i < 6; i++) {
-      for (unsigned int j = 0; j < 6; j++) {
-        covariance[i][j] = C(i, j);
-      }
-    }
-    m_impl->m_covariance = covariance;
+    m_impl->m_covariance = vispMatrix(circleCovariance((*circles)[0], m_impl->contour(), m_impl->m_sigma));
   }
   cMo = m_impl->pose((*circles)[0]);
   if (cMo2 != nullptr) {
@@ -248,13 +242,7 @@ vpMatrix vpPoseCircle::getConic() const
   Eigen::Matrix3d Q;
   Q << ellipse.A, b, b.transpose(), ellipse.offset - b.dot(ellipse.center);
   Q /= Q.norm();
-  vpMatrix conic(3, 3);
-  for (unsigned int i = 0; i < 3; i++) {
-    for (unsigned int j = 0; j < 3; j++) {
-      conic[i][j] = Q(i, j);
-    }
-  }
-  return conic;
+  return vispMatrix(Q);
 }
 
 /*!

@@ -28,6 +28,7 @@
 
 #include "pose/image_ellipse.h"
 #include "pose/pose_circle_impl.h"
+#include "support/visp_matrix.h"
 
 BEGIN_VISP_NAMESPACE
 using namespace circle_marker;
@@ -146,14 +147,7 @@ void vpPoseCircle::setConic(const vpColVector &K)
 */
 void vpPoseCircle::setConic(const vpColVector &K, const vpCameraParameters &cam)
 {
-  const Eigen::Matrix3d conic = conicFromCoefficients(K);
-  vpMatrix Q(3, 3);
-  for (unsigned int i = 0; i < 3; i++) {
-    for (unsigned int j = 0; j < 3; j++) {
-      Q[i][j] = conic(i, j);
-    }
-  }
-  setConic(Q, cam);
+  setConic(vispMatrix(conicFromCoefficients(K)), cam);
 }
 
 /*!
