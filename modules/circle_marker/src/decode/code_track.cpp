@@ -28,8 +28,6 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Phases of the grid of sectors that are told apart: an eighth of a sector is 2 degrees of spin.
-constexpr unsigned int phases = 8;
 // From this length of a sector, pixels, the steps between sectors stand apart and tell the phase (its mean over the
 // track: oblique markers have shorter ones). Below it all phases are tried.
 constexpr double stepsApart = 2.5;
@@ -222,7 +220,7 @@ std::optional<unsigned int> likelyPhase(const CodeTrack &track, unsigned int sec
     return std::nullopt;
   }
   const double phase = std::atan2(s, c) / (2. * M_PI); // of a sector
-  return static_cast<unsigned int>(std::lround(phases * (phase + 1.))) % phases;
+  return static_cast<unsigned int>(std::lround(phasesPerSector * (phase + 1.))) % phasesPerSector;
 }
 
 // Splits the grey levels of the sectors that are seen in two groups with the least spread inside them; returns the
@@ -290,10 +288,10 @@ Solution solveAllPhases(const CodeTrack &track, SectorReading &reading)
 {
   Solution best;
   const std::optional<unsigned int> likely = likelyPhase(track, reading.sectors);
-  const unsigned int first = likely ? *likely + phases - 1 : 0;
-  const unsigned int count = likely ? 3 : phases; // the likely one between its neighbours
+  const unsigned int first = likely ? *likely + phasesPerSector - 1 : 0;
+  const unsigned int count = likely ? 3 : phasesPerSector; // the likely one between its neighbours
   for (unsigned int i = first; i < first + count; ++i) {
-    const double phase = 2. * M_PI * (i % phases) / (phases * reading.sectors);
+    const double phase = 2. * M_PI * (i % phasesPerSector) / (phasesPerSector * reading.sectors);
     Solution solution;
     solution.squares = solveSectors(track, reading.sectors, phase, solution.greys, solution.residuals);
     if (solution.squares < best.squares) {

@@ -34,6 +34,8 @@ constexpr unsigned int mostSectors = 31;
 constexpr unsigned int samplesPerSector = 4;
 constexpr unsigned int coveredSamplesPerSector = 8;
 constexpr unsigned int mostSamples = coveredSamplesPerSector * mostSectors;
+/*! Phases of the grid of sectors that are told apart: an eighth of a sector is 2 degrees of spin. */
+constexpr unsigned int phasesPerSector = 8;
 /*! Blur assumed between the print and an interpolated sample, pixels: lens 0.7, pixel area 0.29, interpolation 0.4. */
 constexpr double trackBlur = 0.85;
 /*! A sector counts as seen if this share of its samples is. */

@@ -55,7 +55,6 @@ Eigen::Matrix<double, 6, 6> circleCovariance(const CirclePosition &circle, const
     information += J.transpose() * J / (sigma * sigma);
   }
   const double uniformTiltVariance = M_PI * M_PI / 12.; // Of an interval of length pi.
-  const double uniformSpinVariance = M_PI * M_PI / 3.;  // Of an interval of length 2 pi.
   information(3, 3) += 1. / uniformTiltVariance;
   information(4, 4) += 1. / uniformTiltVariance;
 

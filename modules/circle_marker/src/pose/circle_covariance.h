@@ -23,12 +23,16 @@
 #ifndef VP_CIRCLE_MARKER_CIRCLE_COVARIANCE_H
 #define VP_CIRCLE_MARKER_CIRCLE_COVARIANCE_H
 
+#include <cmath>
 #include <vector>
 
 #include "pose/circle_from_conic.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! Variance of a spin of which nothing is known, rad^2: uniform in ]-pi, pi]. */
+constexpr double uniformSpinVariance = M_PI * M_PI / 3.;
+
 /*!
   Derivative of the signed distance between a contour point and the projected circle, normalised coordinates, by the
   pose's increment \f$ \delta = (\upsilon, \omega) \f$, metres and radians, in the camera frame.

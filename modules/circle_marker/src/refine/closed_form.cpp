@@ -25,6 +25,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "decode/code_track.h"
 #include "pose/circle_covariance.h"
 #include "pose/circle_evidence.h"
 #include "refine/fit_starts.h"
@@ -53,8 +54,6 @@ constexpr double blurSlack = 1.3;
 // What covers a part of the outline draws the points beside it along, a part of it or another, by this, pixels.
 constexpr double byCover = 0.5;
 constexpr double leastSupportOfWhole = 0.9; // as isPartMissing() has it
-// Phases of the sectors' grid are tried in steps of this part of a sector; the reading is off by up to half of one.
-constexpr double stepOfPhase = 1. / 8.;
 
 // Blur across the outline, pixels: an edge of the step h blurred by sigma is h / (sqrt(2 pi) sigma) steep. The median
 // of some points.
@@ -159,8 +158,10 @@ Eigen::Matrix<double, 6, 6> closedFormCovariance(const vpImage<unsigned char> &I
   change.topRightCorner<3, 3>() << 0., c.z(), -c.y(), -c.z(), 0., c.x(), c.y(), -c.x(), 0.;
   covariance = change * covariance * change.transpose();
   // The outline says nothing of the spin: circleCovariance() has the variance of a uniform angle in its place.
-  const double spin = family.isCoded() ? 0.5 * stepOfPhase * 2. * M_PI / family.getNbSectors() : 0.;
-  covariance.bottomRightCorner<3, 3>() += (spin * spin - M_PI * M_PI / 3.) * circle.normal * circle.normal.transpose();
+  // The reading of a code is off by up to half of a phase.
+  const double spin = family.isCoded() ? M_PI / (phasesPerSector * family.getNbSectors()) : 0.;
+  covariance.bottomRightCorner<3, 3>() +=
+      (spin * spin - uniformSpinVariance) * circle.normal * circle.normal.transpose();
   return covariance;
 }
 } // namespace circle_marker

@@ -26,7 +26,8 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Phases of the sectors that are tried: an eighth of a sector moves no edge by more than a small part of the blur.
+// Phases of the sectors that are tried: an eighth of a sector moves no edge by more than a small part of the blur. Not
+// those of the first reading (phasesPerSector), which are as many.
 constexpr int phases = 8;
 // Spins of one marker in neighbouring phases differ by less than a sector, after which it is another codeword.
 constexpr double sameSpin = 0.95;

@@ -20,15 +20,13 @@
 #include <cmath>
 
 #include "ellipse/fit_conic.h"
+#include "pose/circle_covariance.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
 // Points from which the image ellipse is described: with lens distortion it is the ellipse nearest to the curve.
 constexpr unsigned int outlinePoints = 64;
-
-// Variance of an angle of which nothing is known: uniform in ]-pi, pi].
-constexpr double unknownAngleVariance = M_PI * M_PI / 3.;
 
 // A marker without a code has no spin of its own: it gets that of the convention, whatever the refinement did.
 MarkerPlane withReportedSpin(const Recognition &marker, const MarkerPlane &plane)
@@ -89,7 +87,7 @@ void putCovarianceInCamera(const FittedPose &fit, bool spinIsKnown, vpMatrix &co
   local.topLeftCorner<3, 3>() += secondOrder(fit.covariance);
   if (!spinIsKnown) {
     const Eigen::Vector3d normal = fit.plane.rotation.col(2);
-    local.bottomRightCorner<3, 3>() += unknownAngleVariance * normal * normal.transpose();
+    local.bottomRightCorner<3, 3>() += uniformSpinVariance * normal * normal.transpose();
   }
   Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Identity();
   change.topRightCorner<3, 3>() = crossMatrix(fit.plane.center);
