@@ -21,6 +21,8 @@
 
 #include <Eigen/QR>
 
+#include "support/cross_matrix.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
@@ -45,7 +47,7 @@ public:
     byPoint << 1., 0., -p.x() / p.z(), 0., 1., -p.y() / p.z();
     byPoint /= p.z();
     Eigen::Matrix<double, 3, 6> byPose; // the point moves by t + w x arm
-    byPose << 1., 0., 0., 0., arm.z(), -arm.y(), 0., 1., 0., -arm.z(), 0., arm.x(), 0., 0., 1., arm.y(), -arm.x(), 0.;
+    byPose << Eigen::Matrix3d::Identity(), crossMatrix(-arm);
     const Eigen::Vector2d tangent = byPoint * (m_plane.rotation.leftCols<2>() * along);
     const Eigen::RowVector2d across = Eigen::RowVector2d(-tangent.y(), tangent.x()).normalized();
     const Eigen::Matrix<double, 1, 6> row = across * byPoint * byPose;

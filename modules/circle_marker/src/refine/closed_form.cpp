@@ -30,6 +30,7 @@
 #include "pose/circle_evidence.h"
 #include "refine/fit_starts.h"
 #include "support/bilinear.h"
+#include "support/cross_matrix.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -154,8 +155,7 @@ Eigen::Matrix<double, 6, 6> closedFormCovariance(const vpImage<unsigned char> &I
   errors.addTo(covariance, inverse);
   // From exp(delta) about the camera's centre to (t, w) about the marker's: t = v + w x C.
   Matrix change = Matrix::Identity();
-  const Eigen::Vector3d &c = plane.center;
-  change.topRightCorner<3, 3>() << 0., c.z(), -c.y(), -c.z(), 0., c.x(), c.y(), -c.x(), 0.;
+  change.topRightCorner<3, 3>() = crossMatrix(-plane.center);
   covariance = change * covariance * change.transpose();
   // The outline says nothing of the spin: circleCovariance() has the variance of a uniform angle in its place.
   // The reading of a code is off by up to half of a phase.

@@ -21,6 +21,7 @@
 
 #include "ellipse/fit_conic.h"
 #include "pose/circle_covariance.h"
+#include "support/cross_matrix.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -44,13 +45,6 @@ void putPose(const MarkerPlane &plane, bool zAligned, vpHomogeneousMatrix &pose)
     }
     pose[row][3] = plane.center[row];
   }
-}
-
-Eigen::Matrix3d crossMatrix(const Eigen::Vector3d &v)
-{
-  Eigen::Matrix3d matrix;
-  matrix << 0., -v.z(), v.y(), v.z(), 0., -v.x(), -v.y(), v.x(), 0.;
-  return matrix;
 }
 
 // Covariance of -w x t / 2, to be added to that of t: in (t, w) the error is normal, but delta is the logarithm of the
