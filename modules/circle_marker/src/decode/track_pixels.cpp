@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pose/circle_bounds.h"
 #include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
@@ -66,15 +67,8 @@ TrackPixels::TrackPixels(const vpImage<unsigned char> &I, const CameraModel &cam
 void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring)
 {
   m_pixels.clear();
-  Eigen::Vector2d least = camera.toPixel(ring.plane.project(Eigen::Vector2d::Zero()));
-  Eigen::Vector2d most = least;
   constexpr int directions = 32;
-  for (int i = 0; i < directions; ++i) {
-    const double angle = 2. * M_PI * i / directions;
-    const Eigen::Vector2d p = camera.toPixel(ring.plane.project(Eigen::Vector2d(std::cos(angle), std::sin(angle))));
-    least = least.cwiseMin(p);
-    most = most.cwiseMax(p);
-  }
+  const auto [least, most] = boundsOfCircle(ring.plane, camera, 1., directions);
   const double area = 0.785 * (most - least).prod();
   const int step = std::max(1, static_cast<int>(std::lround(std::sqrt(area / enoughPixels))));
   const auto clamped = [](double value, unsigned int size) {

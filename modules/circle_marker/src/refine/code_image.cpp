@@ -20,6 +20,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+
+#include "pose/circle_bounds.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -119,68 +122,109 @@ struct SeenSectors
     }
   }
 };
+
+// What a pixel shows, and how much ink would take of it.
+struct SeenLight
+{
+  double share;    // of the grey level of white paper
+  double contrast; // grey levels
+};
+
+// Takes pixels into the image of a code.
+class CodePixels
+{
+public:
+  CodePixels(const CameraModel &camera, const FittedPose &fit, const ImageFrame &frame,
+             const vpCircleMarkerLayout &layout, int sectors, CodeImage &track)
+      : m_camera(camera), m_fit(fit), m_frame(frame), m_layout(layout), m_sectors(sectors), m_track(track),
+        m_blur(fit.photometry.blur.sigma * fit.photometry.blur.shape())
+  {
+    m_track.pixels.clear();
+    m_track.pieces.clear();
+  }
+
+  // A pixel, which is taken if it sees the track; false if the light on it is not known.
+  bool add(const Eigen::Vector2d &pixel, double grey)
+  {
+    PlanePoint point = planePoint({m_camera.toMeter(pixel), m_camera.meterPerPixel(pixel)}, m_fit.plane);
+    point.byPixel = point.byPixel * m_blur;
+    const Rims rims = {insideOf(m_layout.codeOuter, point), insideOf(m_layout.codeInner, point)};
+    const bool isByLines = wantsLines(point, m_layout, m_sectors);
+    if (rims.outer.distance < -around || (rims.inner.distance > around && !isByLines)) {
+      return true;
+    }
+    const auto light = lightOf(pixel, grey);
+    if (!light) {
+      return false;
+    }
+    const std::size_t begin = m_track.pieces.size();
+    const double ring = isByLines ? cutLines(point, m_layout, m_track.pieces) : ringAt(m_layout, point);
+    if (isByLines && m_track.pieces.size() == begin) {
+      return true; // sees nothing of the track
+    }
+    m_track.pixels.push_back({point, rims, std::atan2(point.q.y(), point.q.x()),
+                              m_fit.photometry.blackOf(light->share) - ring, begin, m_track.pieces.size()});
+    m_squaredContrast += light->contrast * light->contrast;
+    return true;
+  }
+
+  // Root mean square over the pixels, grey levels.
+  double contrast() const { return std::sqrt(m_squaredContrast / static_cast<double>(m_track.pixels.size())); }
+
+private:
+  // Nothing where there is none, or the sensor cannot tell how bright it is.
+  std::optional<SeenLight> lightOf(const Eigen::Vector2d &pixel, double grey) const
+  {
+    const double light = m_fit.photometry.whiteAt((pixel - m_frame.center) / m_frame.size);
+    const double contrast = light * m_fit.photometry.contrast();
+    const bool isHidden = light > brightest && grey > brightest;
+    if (contrast <= 0. || (isHidden && light - brightest > mostHidden * contrast)) {
+      return std::nullopt;
+    }
+    return SeenLight{(isHidden ? light : grey) / light, contrast};
+  }
+
+  const CameraModel &m_camera;
+  const FittedPose &m_fit;
+  const ImageFrame &m_frame;
+  const vpCircleMarkerLayout &m_layout;
+  const int m_sectors;
+  CodeImage &m_track;
+  const Eigen::Matrix2d m_blur;
+  double m_squaredContrast = 0.;
+};
 } // namespace
 
 bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit,
                 const ImageFrame &frame, const vpCircleMarkerLayout &layout, int sectors, CodeImage &track)
 {
-  const Photometry &photometry = fit.photometry;
-  if (photometry.shadow) {
+  if (fit.photometry.shadow) {
     return false;
   }
-  const Eigen::Matrix2d blur = photometry.blur.sigma * photometry.blur.shape();
-  Eigen::Vector2d least(HUGE_VAL, HUGE_VAL), most(-HUGE_VAL, -HUGE_VAL);
-  for (int k = 0; k < 16; ++k) {
-    const double angle = fullTurn * k / 16;
-    const Eigen::Vector2d p =
-        camera.toPixel(fit.plane.project(layout.codeOuter * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
-    least = least.cwiseMin(p);
-    most = most.cwiseMax(p);
-  }
-  const double margin = around * photometry.blur.widest() + 1.;
-  if (least.minCoeff() < margin || most.x() > I.getWidth() - 1. - margin || most.y() > I.getHeight() - 1. - margin) {
+  constexpr int directions = 16;
+  const auto [least, most] = boundsOfCircle(fit.plane, camera, layout.codeOuter, directions);
+  const double margin = around * fit.photometry.blur.widest() + 1.;
+  const bool isInside = least.x() >= margin && least.y() >= margin && most.x() <= I.getWidth() - 1. - margin &&
+                        most.y() <= I.getHeight() - 1. - margin;
+  if (!isInside) {
     return false;
   }
-  track.pixels.clear();
-  track.pieces.clear();
-  double squaredContrast = 0.;
-  for (int v = static_cast<int>(least.y() - margin); v <= static_cast<int>(most.y() + margin) + 1; ++v) {
-    for (int u = static_cast<int>(least.x() - margin); u <= static_cast<int>(most.x() + margin) + 1; ++u) {
-      if (u < 0 || v < 0 || u >= static_cast<int>(I.getWidth()) || v >= static_cast<int>(I.getHeight())) {
-        continue;
-      }
-      const Eigen::Vector2d p(u, v);
-      PlanePoint point = planePoint({camera.toMeter(p), camera.meterPerPixel(p)}, fit.plane);
-      point.byPixel = point.byPixel * blur;
-      const Rims rims = {insideOf(layout.codeOuter, point), insideOf(layout.codeInner, point)};
-      const bool isByLines = wantsLines(point, layout, sectors);
-      if (rims.outer.distance < -around || (rims.inner.distance > around && !isByLines)) {
-        continue;
-      }
-      const Eigen::Vector2d offset = (p - frame.center) / frame.size;
-      const double light = photometry.whiteAt(offset);
-      const double contrast = light * photometry.contrast();
-      double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
-      const bool isHidden = light > brightest && grey > brightest;
-      if (contrast <= 0. || (isHidden && light - brightest > mostHidden * contrast)) {
+  CodePixels pixels(camera, fit, frame, layout, sectors, track);
+  const auto left = static_cast<unsigned int>(least.x() - margin);
+  const auto top = static_cast<unsigned int>(least.y() - margin);
+  const unsigned int right = std::min(static_cast<unsigned int>(most.x() + margin) + 1, I.getWidth() - 1);
+  const unsigned int bottom = std::min(static_cast<unsigned int>(most.y() + margin) + 1, I.getHeight() - 1);
+  for (unsigned int v = top; v <= bottom; ++v) {
+    for (unsigned int u = left; u <= right; ++u) {
+      if (!pixels.add(Eigen::Vector2d(u, v), I[v][u])) {
         return false;
       }
-      grey = isHidden ? light : grey;
-      const std::size_t begin = track.pieces.size();
-      const double ring = isByLines ? cutLines(point, layout, track.pieces) : ringAt(layout, point);
-      if (isByLines && track.pieces.size() == begin) {
-        continue; // sees nothing of the track
-      }
-      track.pixels.push_back({point, rims, std::atan2(point.q.y(), point.q.x()),
-                              photometry.blackOf(grey / light) - ring, begin, track.pieces.size()});
-      squaredContrast += contrast * contrast;
     }
   }
   if (track.pixels.empty()) {
     return false;
   }
-  const double contrast = std::sqrt(squaredContrast / static_cast<double>(track.pixels.size()));
-  track.noise = std::hypot(fit.noise / contrast, modelError);
+  track.noise = std::hypot(fit.noise / pixels.contrast(), modelError);
   return true;
 }
 

@@ -1,0 +1,37 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Where in the image a marker is.
+ */
+
+#include "pose/circle_bounds.h"
+
+#include <cmath>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+ImageBounds boundsOfCircle(const MarkerPlane &plane, const CameraModel &camera, double radius, int points)
+{
+  const Eigen::Vector2d center = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
+  ImageBounds bounds = {center, center};
+  for (int i = 0; i < points; ++i) {
+    const double angle = 2. * M_PI * i / points;
+    const Eigen::Vector2d p = camera.toPixel(plane.project(radius * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
+    bounds.least = bounds.least.cwiseMin(p);
+    bounds.most = bounds.most.cwiseMax(p);
+  }
+  return bounds;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
