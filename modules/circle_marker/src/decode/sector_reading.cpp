@@ -44,9 +44,25 @@ std::optional<double> sampleAt(const vpImage<unsigned char> &I, const CameraMode
   return bilinear(I, camera.toPixel(plane.project(Eigen::Vector2d(radius * c, radius * s))));
 }
 
+// Radii at which a marker is looked at, in units of its outer radius.
+struct Radii
+{
+  explicit Radii(const vpCircleMarkerLayout &layout)
+      : white(radiusOfWhite(layout.quietZone)), black(0.5 * (1. + layout.ringInner))
+  {
+    // The middle half of the track: its rims are blurred into the white beside.
+    const double width = layout.codeOuter - layout.codeInner;
+    track = {layout.codeInner + 0.3 * width, layout.codeInner + 0.5 * width, layout.codeInner + 0.7 * width};
+  }
+
+  double white;                // in the quiet zone
+  double black;                // in the ring
+  std::array<double, 3> track; // from the inside
+};
+
 // A few samples that have to agree with a black ring between white and white: what most outlines in clutter fail.
 vpCircleMarkerReject judgeRing(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                               const vpCircleMarkerLayout &layout)
+                               const Radii &radii)
 {
   constexpr int directions = 16;
   double white = 0.;
@@ -55,8 +71,8 @@ vpCircleMarkerReject judgeRing(const vpImage<unsigned char> &I, const CameraMode
     const double angle = 2. * M_PI * i / directions;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    const auto outside = sampleAt(I, camera, plane, radiusOfWhite(layout.quietZone), c, s);
-    const auto ring = sampleAt(I, camera, plane, 0.5 * (1. + layout.ringInner), c, s);
+    const auto outside = sampleAt(I, camera, plane, radii.white, c, s);
+    const auto ring = sampleAt(I, camera, plane, radii.black, c, s);
     if (!outside || !ring) {
       return vpCircleMarkerReject::OUT_OF_IMAGE;
     }
@@ -68,87 +84,99 @@ vpCircleMarkerReject judgeRing(const vpImage<unsigned char> &I, const CameraMode
   return isRing ? vpCircleMarkerReject::NONE : vpCircleMarkerReject::NO_RING;
 }
 
-Judged<CodeTrack> sampleTrack(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                              const vpCircleMarkerFamily &family)
+// A code track with what tells the light on it, all in the same directions.
+struct SampledTrack
 {
-  const vpCircleMarkerLayout &layout = family.getLayout();
-  const double width = layout.codeOuter - layout.codeInner;
-  // The middle half of the track: its rims are blurred into the white beside.
-  const double radii[3] = {layout.codeInner + 0.3 * width, layout.codeInner + 0.5 * width,
-                           layout.codeInner + 0.7 * width};
-  const double whiteRadius = radiusOfWhite(layout.quietZone);
-  const double blackRadius = 0.5 * (1. + layout.ringInner);
-  CodeTrack track;
-  track.samples = samplesPerSector * family.getNbSectors();
-  track.weight.fill(1.);
-  // The light is known by the white of the quiet zone around.
-  std::array<double, mostSamples> outside;
-  std::array<double, mostSamples> ring;
+  CodeTrack code;
+  std::array<double, mostSamples> white; // of the quiet zone, grey levels
+  std::array<double, mostSamples> black; // of the ring
   std::array<Eigen::Vector2d, mostSamples> direction;
-  const double step = 0.02; // rad: a secant short enough to be a tangent
+};
+
+// Blur along the track at a place on it, rad.
+double blurAlong(const CameraModel &camera, const MarkerPlane &plane, const Eigen::Vector2d &place)
+{
+  constexpr double step = 0.02; // rad: a secant short enough to be a tangent
   const Eigen::Rotation2Dd turn(step);
+  const Eigen::Vector2d before = camera.toPixel(plane.project(turn.inverse() * place));
+  const Eigen::Vector2d after = camera.toPixel(plane.project(turn * place));
+  return trackBlur * 2. * step / (after - before).norm();
+}
+
+// The grey levels as they are in the image; false if a sample lies outside of it.
+bool sampleGreys(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                 const Radii &radii, SampledTrack &sampled)
+{
+  CodeTrack &track = sampled.code;
   for (unsigned int i = 0; i < track.samples; ++i) {
     const double angle = 2. * M_PI * (i + 0.5) / track.samples;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    direction[i] << c, s;
     double sum = 0.;
-    for (const double radius : radii) {
+    for (const double radius : radii.track) {
       const auto grey = sampleAt(I, camera, plane, radius, c, s);
       if (!grey) {
-        return vpCircleMarkerReject::OUT_OF_IMAGE;
+        return false;
       }
       sum += *grey / 3.;
     }
-    track.grey[i] = sum;
-    const auto white = sampleAt(I, camera, plane, whiteRadius, c, s);
-    const auto black = sampleAt(I, camera, plane, blackRadius, c, s);
+    const auto white = sampleAt(I, camera, plane, radii.white, c, s);
+    const auto black = sampleAt(I, camera, plane, radii.black, c, s);
     if (!white || !black) {
-      return vpCircleMarkerReject::OUT_OF_IMAGE;
+      return false;
     }
-    outside[i] = *white;
-    ring[i] = *black;
-    // Angle for a pixel along the track at its middle radius.
-    const Eigen::Vector2d middle = radii[1] * direction[i];
-    const Eigen::Vector2d before = camera.toPixel(plane.project(turn.inverse() * middle));
-    const Eigen::Vector2d after = camera.toPixel(plane.project(turn * middle));
-    track.blur[i] = trackBlur * 2. * step / (after - before).norm();
+    track.grey[i] = sum;
+    sampled.white[i] = *white;
+    sampled.black[i] = *black;
+    sampled.direction[i] << c, s;
+    track.blur[i] = blurAlong(camera, plane, radii.track[1] * sampled.direction[i]);
   }
-  const MarkerLight light(outside.data(), track.samples, whiteRadius);
+  return true;
+}
+
+// Makes reflectances of the grey levels, by the white of the quiet zone around; false if black and white are much the
+// same.
+bool undoLight(const Radii &radii, SampledTrack &sampled)
+{
+  CodeTrack &track = sampled.code;
+  const MarkerLight light(sampled.white.data(), track.samples, radii.white);
   const double white = light.mean();
   double black = 0.; // as it would be in mean light, which multiplies white and black alike
   for (unsigned int i = 0; i < track.samples; ++i) {
-    const double here = light.hasShadow() ? std::max(light.at(blackRadius * direction[i]), 1.) : white;
-    black += ring[i] * white / (here * track.samples);
+    const double here = light.hasShadow() ? std::max(light.at(radii.black * sampled.direction[i]), 1.) : white;
+    black += sampled.black[i] * white / (here * track.samples);
   }
   if (white - black < leastContrast) {
-    return vpCircleMarkerReject::NO_RING;
+    return false;
   }
   for (unsigned int i = 0; i < track.samples; ++i) {
-    const Eigen::Vector2d place = radii[1] * direction[i];
+    const Eigen::Vector2d place = radii.track[1] * sampled.direction[i];
     track.grey[i] = (track.grey[i] * white / std::max(light.at(place), 1.) - black) / (white - black);
     // On the edge of a shadow the light is not known.
-    if (light.hasShadow() && std::abs(light.distanceToShadow(place)) < edgeOfShadow * track.blur[i] * radii[1]) {
-      track.weight[i] = weightOnShadow;
-    }
+    const double edge = edgeOfShadow * track.blur[i] * radii.track[1];
+    track.weight[i] = light.hasShadow() && std::abs(light.distanceToShadow(place)) < edge ? weightOnShadow : 1.;
   }
-  return track;
+  return true;
 }
-
 } // namespace
 
 Judged<SectorReading> readSectors(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
                                   const vpCircleMarkerFamily &family)
 {
-  const vpCircleMarkerReject ring = judgeRing(I, camera, plane, family.getLayout());
+  const Radii radii(family.getLayout());
+  const vpCircleMarkerReject ring = judgeRing(I, camera, plane, radii);
   if (ring != vpCircleMarkerReject::NONE) {
     return ring;
   }
-  const Judged<CodeTrack> track = sampleTrack(I, camera, plane, family);
-  if (!track) {
-    return track.reason();
+  SampledTrack sampled;
+  sampled.code.samples = samplesPerSector * family.getNbSectors();
+  if (!sampleGreys(I, camera, plane, radii, sampled)) {
+    return vpCircleMarkerReject::OUT_OF_IMAGE;
   }
-  const auto sectors = solveTrack(*track, family.getNbSectors());
+  if (!undoLight(radii, sampled)) {
+    return vpCircleMarkerReject::NO_RING;
+  }
+  const auto sectors = solveTrack(sampled.code, family.getNbSectors());
   return sectors ? Judged<SectorReading>(*sectors) : vpCircleMarkerReject::NO_SECTORS;
 }
 } // namespace circle_marker
