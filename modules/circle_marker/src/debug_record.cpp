@@ -91,8 +91,8 @@ void recordScale(const OutlineMemory::Scale &memory, const ToImage &toImage, vpC
   // In an order that does not depend on the threads, two of which may have had the same chain, as a whole and in
   // pieces.
   std::vector<const EllipseMemory::Refusal *> refusals;
-  for (const EllipseMemory::Bench &bench : memory.ellipses.benches) {
-    for (const EllipseMemory::Refusal &refusal : bench.refusals) {
+  for (const EllipseMemory::Workspace &workspace : memory.ellipses.workspaces) {
+    for (const EllipseMemory::Refusal &refusal : workspace.refusals) {
       refusals.push_back(&refusal);
     }
   }

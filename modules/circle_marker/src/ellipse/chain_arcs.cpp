@@ -33,12 +33,12 @@ constexpr std::size_t longestCapChain = 1400;
 // Whether an arc gives an outline that is well found. One that is not is kept, too, but may be that of a ring's edge
 // and what it goes on along behind a corner.
 bool proposeArc(const EllipseSearch &search, std::size_t index, const EdgePoint *points, std::size_t count,
-                EllipseMemory::Bench &bench)
+                EllipseMemory::Workspace &workspace)
 {
   double support = 0.;
-  search.propose(bench, index, points, count, [&](EllipseCandidate &candidate) {
+  search.propose(workspace, index, points, count, [&](EllipseCandidate &candidate) {
     const EllipseReject reason =
-        bench.fitter.fit(search.I, search.gradient, points, count, false, search.sought, candidate);
+        workspace.fitter.fit(search.I, search.gradient, points, count, false, search.sought, candidate);
     support = reason == EllipseReject::NONE ? candidate.support : 0.;
     return reason;
   });
@@ -46,55 +46,56 @@ bool proposeArc(const EllipseSearch &search, std::size_t index, const EdgePoint 
 }
 } // namespace
 
-void proposeArcsOfChain(const EllipseSearch &search, std::size_t index, EllipseMemory::Bench &bench)
+void proposeArcsOfChain(const EllipseSearch &search, std::size_t index, EllipseMemory::Workspace &workspace)
 {
   if (search.memory.left[index] == 0) {
     return;
   }
   if (search.deadline.hasPassed()) {
-    return search.refuse(bench, index, EllipseReject::TIMEOUT);
+    return search.refuse(workspace, index, EllipseReject::TIMEOUT);
   }
   const EdgeChain &chain = search.chains.chains[index];
   if (search.sought.thinRing > 0. && chain.closed && chain.length() <= longestNarrowSheet &&
-      proposeThinRing(search, index, bench)) {
+      proposeThinRing(search, index, workspace)) {
     return;
   }
   // What is so narrow shows at the full size, if at all.
   if (search.sought.thinRing > 0. && search.other.known == nullptr && chain.length() <= longestCapChain) {
-    findCaps(search.gradient, search.chains, index, bench.caps);
+    findCaps(search.gradient, search.chains, index, workspace.caps);
   }
   if (mostTurn(search.gradient, search.chains, chain) < leastArcTurn) {
-    return search.refuse(bench, index,
+    return search.refuse(workspace, index,
                          search.memory.left[index] == brightInside ? EllipseReject::BRIGHT_INSIDE
                                                                    : EllipseReject::LITTLE_BEND);
   }
-  bench.points.clear();
-  locateChain(search.gradient, search.chains, chain, bench.points, search.deadline);
-  cutConvexArcs(bench.points, leastLooseTurn, bench.arcs, search.deadline);
-  if (bench.arcs.empty()) {
-    search.refuse(bench, index, bench.points.data(), bench.points.size(), EllipseReject::LITTLE_BEND);
+  workspace.points.clear();
+  locateChain(search.gradient, search.chains, chain, workspace.points, search.deadline);
+  cutConvexArcs(workspace.points, leastLooseTurn, workspace.arcs, search.deadline);
+  if (workspace.arcs.empty()) {
+    search.refuse(workspace, index, workspace.points.data(), workspace.points.size(), EllipseReject::LITTLE_BEND);
   }
-  const std::size_t most = bench.arcs.size() + mostPieces;
-  for (std::size_t k = 0; k < bench.arcs.size(); ++k) { // pieces of them are appended
-    const ConvexArc arc = bench.arcs[k];
-    const EdgePoint *points = bench.points.data() + arc.begin;
+  const std::size_t most = workspace.arcs.size() + mostPieces;
+  for (std::size_t k = 0; k < workspace.arcs.size(); ++k) { // pieces of them are appended
+    const ConvexArc arc = workspace.arcs[k];
+    const EdgePoint *points = workspace.points.data() + arc.begin;
     if (search.deadline.hasPassed()) {
-      return search.refuse(bench, index, EllipseReject::TIMEOUT);
+      return search.refuse(workspace, index, EllipseReject::TIMEOUT);
     }
     if (search.memory.known.holds(points, arc.length(), 1., 0., wellFound) ||
         search.isKnownElsewhere(points, arc.length())) {
-      search.refuse(bench, index, points, arc.length(), EllipseReject::KNOWN_OUTLINE);
+      search.refuse(workspace, index, points, arc.length(), EllipseReject::KNOWN_OUTLINE);
       continue;
     }
     if (arc.turn < leastArcTurn) {
-      search.refuse(bench, index, points, arc.length(), EllipseReject::LITTLE_BEND);
+      search.refuse(workspace, index, points, arc.length(), EllipseReject::LITTLE_BEND);
     }
-    else if (proposeArc(search, index, points, arc.length(), bench)) {
-      bench.loose.append().set(search.I, index, points, arc.length(), arc.turn); // another outline may have more of it
+    else if (proposeArc(search, index, points, arc.length(), workspace)) {
+      workspace.loose.append().set(search.I, index, points, arc.length(),
+                                   arc.turn); // another outline may have more of it
       continue;
     }
-    if (bench.arcs.size() > most || !cutAtCorner(bench.points, arc, leastLooseTurn, bench.arcs)) {
-      bench.loose.append().set(search.I, index, points, arc.length(), arc.turn);
+    if (workspace.arcs.size() > most || !cutAtCorner(workspace.points, arc, leastLooseTurn, workspace.arcs)) {
+      workspace.loose.append().set(search.I, index, points, arc.length(), arc.turn);
     }
   }
 }

@@ -28,9 +28,9 @@ namespace circle_marker {
   The outlines of the arcs of a chain that is left, and of the thin ring that it may be a part of.
   \param search : The search.
   \param index : The chain.
-  \param bench : Memory of this thread; has the proposals, and the arcs and ends that may belong to others.
+  \param workspace : Memory of this thread; has the proposals, and the arcs and ends that may belong to others.
 */
-void proposeArcsOfChain(const EllipseSearch &search, std::size_t index, EllipseMemory::Bench &bench);
+void proposeArcsOfChain(const EllipseSearch &search, std::size_t index, EllipseMemory::Workspace &workspace);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

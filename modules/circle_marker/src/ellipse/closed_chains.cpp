@@ -28,13 +28,13 @@ constexpr std::size_t longestBlob = 38;
 constexpr std::size_t longestOutline = 2;
 } // namespace
 
-void proposeClosedChain(const EllipseSearch &search, std::size_t index, EllipseMemory::Bench &bench)
+void proposeClosedChain(const EllipseSearch &search, std::size_t index, EllipseMemory::Workspace &workspace)
 {
   const EdgeChain &chain = search.chains.chains[index];
   std::uint8_t &left = search.memory.left[index];
   left = 0;
   if (search.deadline.hasPassed()) {
-    return search.refuse(bench, index, EllipseReject::TIMEOUT);
+    return search.refuse(workspace, index, EllipseReject::TIMEOUT);
   }
   if (!chain.closed) {
     left = 1;
@@ -50,25 +50,25 @@ void proposeClosedChain(const EllipseSearch &search, std::size_t index, EllipseM
     left = 1;
     return;
   }
-  bench.points.clear();
-  locateChain(search.gradient, search.chains, chain, bench.points);
-  if (bench.points.size() < fewestPoints) {
-    return search.refuse(bench, index, EllipseReject::TOO_SHORT);
+  workspace.points.clear();
+  locateChain(search.gradient, search.chains, chain, workspace.points);
+  if (workspace.points.size() < fewestPoints) {
+    return search.refuse(workspace, index, EllipseReject::TOO_SHORT);
   }
-  if (search.isKnownElsewhere(bench.points.data(), bench.points.size())) {
-    return search.refuse(bench, index, EllipseReject::KNOWN_OUTLINE);
+  if (search.isKnownElsewhere(workspace.points.data(), workspace.points.size())) {
+    return search.refuse(workspace, index, EllipseReject::KNOWN_OUTLINE);
   }
   left = 1;
-  if (!search.sought.dark && isDarkThroughout(search.I, bench.points.data(), bench.points.size())) {
+  if (!search.sought.dark && isDarkThroughout(search.I, workspace.points.data(), workspace.points.size())) {
     // A larger one may be a covered ring together with what covers it.
     left = chain.length() > longestBlob ? 1 : 0;
-    return search.refuse(bench, index, EllipseReject::OTHER_CENTER);
+    return search.refuse(workspace, index, EllipseReject::OTHER_CENTER);
   }
   double support = 0.;
-  const EllipseReject reason =
-      search.propose(bench, index, bench.points.data(), bench.points.size(), [&](EllipseCandidate &candidate) {
-        const EllipseReject verdict = bench.fitter.fit(search.I, search.gradient, bench.points.data(),
-                                                       bench.points.size(), true, search.sought, candidate);
+  const EllipseReject reason = search.propose(
+      workspace, index, workspace.points.data(), workspace.points.size(), [&](EllipseCandidate &candidate) {
+        const EllipseReject verdict = workspace.fitter.fit(search.I, search.gradient, workspace.points.data(),
+                                                           workspace.points.size(), true, search.sought, candidate);
         support = candidate.support;
         return verdict;
       });

@@ -29,9 +29,9 @@ namespace circle_marker {
   arcs.
   \param search : The search; its mark of the chain is set.
   \param index : The chain.
-  \param bench : Memory of this thread; has the proposal.
+  \param workspace : Memory of this thread; has the proposal.
 */
-void proposeClosedChain(const EllipseSearch &search, std::size_t index, EllipseMemory::Bench &bench);
+void proposeClosedChain(const EllipseSearch &search, std::size_t index, EllipseMemory::Workspace &workspace);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

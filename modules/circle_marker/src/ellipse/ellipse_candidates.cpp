@@ -30,22 +30,22 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
                   const SoughtCenters &sought, const OtherScale &other, Workers &workers, const Deadline &deadline,
                   EllipseMemory &memory)
 {
-  memory.benches.resize(std::max<std::size_t>(memory.benches.size(), workers.getCount()));
+  memory.workspaces.resize(std::max<std::size_t>(memory.workspaces.size(), workers.getCount()));
   memory.left.resize(chains.chains.size());
   memory.known.reset(gradient.width, gradient.height);
-  for (EllipseMemory::Bench &bench : memory.benches) {
-    bench.proposals.clear(); // there are some where the last search was ended by an exception
-    bench.refusals.clear();
-    bench.loose.clear();
-    bench.caps.clear();
+  for (EllipseMemory::Workspace &workspace : memory.workspaces) {
+    workspace.proposals.clear(); // there are some where the last search was ended by an exception
+    workspace.refusals.clear();
+    workspace.loose.clear();
+    workspace.caps.clear();
   }
   const EllipseSearch search = {I, gradient, chains, sought, other, deadline, memory};
   workers.run(chains.chains.size(), [&](std::size_t chain, unsigned int worker) {
-    proposeClosedChain(search, chain, memory.benches[worker]);
+    proposeClosedChain(search, chain, memory.workspaces[worker]);
   });
   search.settle();
   workers.run(chains.chains.size(), [&](std::size_t chain, unsigned int worker) {
-    proposeArcsOfChain(search, chain, memory.benches[worker]);
+    proposeArcsOfChain(search, chain, memory.workspaces[worker]);
   });
   search.settle();
   joinArcs(search);

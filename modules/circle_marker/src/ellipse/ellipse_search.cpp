@@ -27,15 +27,15 @@ bool EllipseSearch::isKnownElsewhere(const EdgePoint *points, std::size_t count)
   return other.known != nullptr && other.known->holds(points, count, other.scale, other.shift);
 }
 
-void EllipseSearch::refuse(EllipseMemory::Bench &bench, std::size_t chain, const EdgePoint *points, std::size_t count,
-                           EllipseReject reason, const EllipseParameters &ellipse) const
+void EllipseSearch::refuse(EllipseMemory::Workspace &workspace, std::size_t chain, const EdgePoint *points,
+                           std::size_t count, EllipseReject reason, const EllipseParameters &ellipse) const
 {
   if (memory.keepsRefusals) {
-    bench.refusals.push_back({chain, reason, ellipse, std::vector<EdgePoint>(points, points + count)});
+    workspace.refusals.push_back({chain, reason, ellipse, std::vector<EdgePoint>(points, points + count)});
   }
 }
 
-void EllipseSearch::refuse(EllipseMemory::Bench &bench, std::size_t chain, EllipseReject reason) const
+void EllipseSearch::refuse(EllipseMemory::Workspace &workspace, std::size_t chain, EllipseReject reason) const
 {
   if (memory.keepsRefusals) {
     std::vector<EdgePoint> points;
@@ -43,19 +43,20 @@ void EllipseSearch::refuse(EllipseMemory::Bench &bench, std::size_t chain, Ellip
       const EdgePixel pixel = chains.pixels[i];
       points.push_back({Eigen::Vector2d(pixel.x, pixel.y), Eigen::Vector2d::Zero()});
     }
-    refuse(bench, chain, points.data(), points.size(), reason);
+    refuse(workspace, chain, points.data(), points.size(), reason);
   }
 }
 
 void EllipseSearch::settle() const
 {
   memory.proposals.clear();
-  for (EllipseMemory::Bench &bench : memory.benches) {
-    for (EllipseMemory::Proposal &proposal : bench.proposals) {
+  for (EllipseMemory::Workspace &workspace : memory.workspaces) {
+    for (EllipseMemory::Proposal &proposal : workspace.proposals) {
       memory.proposals.push_back(&proposal);
     }
   }
-  // Proposals of one chain lie in one bench, one behind the other; benches do not order addresses, so chains first.
+  // Proposals of one chain lie in one workspace, one behind the other; workspaces do not order addresses, so chains
+  // first.
   std::sort(memory.proposals.begin(), memory.proposals.end(),
             [](const EllipseMemory::Proposal *p, const EllipseMemory::Proposal *q) {
               return p->chain != q->chain ? p->chain < q->chain : std::less<>()(p, q);
@@ -66,12 +67,12 @@ void EllipseSearch::settle() const
     }
     if (!memory.known.take(proposal->candidate)) {
       const EllipseCandidate &dropped = proposal->candidate;
-      refuse(memory.benches.front(), proposal->chain, dropped.points.data(), dropped.points.size(),
+      refuse(memory.workspaces.front(), proposal->chain, dropped.points.data(), dropped.points.size(),
              EllipseReject::KNOWN_OUTLINE, dropped.ellipse);
     }
   }
-  for (EllipseMemory::Bench &bench : memory.benches) {
-    bench.proposals.clear();
+  for (EllipseMemory::Workspace &workspace : memory.workspaces) {
+    workspace.proposals.clear();
   }
 }
 } // namespace circle_marker

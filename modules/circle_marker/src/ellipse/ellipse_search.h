@@ -69,8 +69,8 @@ struct EllipseMemory
     std::size_t asked = 0; //!< Of the known outlines, so many were asked whether it is inside of them.
     bool isInside = false; //!< Whether it is inside of one of these.
   };
-  /*! Memory of one thread. */
-  struct Bench
+  /*! Working memory of one thread. */
+  struct Workspace
   {
     OutlineFitter fitter;
     std::vector<EdgePoint> points;
@@ -80,11 +80,11 @@ struct EllipseMemory
     ReusedList<Proposal> proposals;
     std::vector<Refusal> refusals;
   };
-  std::vector<Bench> benches;
+  std::vector<Workspace> workspaces;
   std::vector<std::uint8_t> left;    //!< One per chain: whether it is still to be cut into arcs, or brightInside.
-  std::vector<Proposal *> proposals; //!< Of all benches, in the order of their chains.
-  std::vector<LooseArc *> loose;     //!< Of all benches, the longest first.
-  std::vector<const EdgeCap *> caps; //!< Of all benches.
+  std::vector<Proposal *> proposals; //!< Of all workspaces, in the order of their chains.
+  std::vector<LooseArc *> loose;     //!< Of all workspaces, the longest first.
+  std::vector<const EdgeCap *> caps; //!< Of all workspaces.
   std::vector<Around> around;        //!< One per cap.
   KnownOutlines known;
   bool keepsRefusals = false; //!< Whether refusals are kept, to be shown.
@@ -113,30 +113,30 @@ struct EllipseSearch
   bool isKnownElsewhere(const EdgePoint *points, std::size_t count) const;
 
   /*! Notes why a run of points gives no outline, if that is to be shown. */
-  void refuse(EllipseMemory::Bench &bench, std::size_t chain, const EdgePoint *points, std::size_t count,
+  void refuse(EllipseMemory::Workspace &workspace, std::size_t chain, const EdgePoint *points, std::size_t count,
               EllipseReject reason, const EllipseParameters &ellipse = EllipseParameters()) const;
 
   /*! The same of a chain whose points were not located. */
-  void refuse(EllipseMemory::Bench &bench, std::size_t chain, EllipseReject reason) const;
+  void refuse(EllipseMemory::Workspace &workspace, std::size_t chain, EllipseReject reason) const;
 
   /*!
     Proposes the outline of a run of points, or tells why there is none.
-    \param bench : Whose last proposal it is then.
+    \param workspace : Whose last proposal it is then.
     \param chain : Index of the chain of the points.
     \param points, count : The points.
     \param fit : Fits a candidate: EllipseReject(EllipseCandidate &).
   */
   template <class Fit>
-  EllipseReject propose(EllipseMemory::Bench &bench, std::size_t chain, const EdgePoint *points, std::size_t count,
-                        const Fit &fit) const
+  EllipseReject propose(EllipseMemory::Workspace &workspace, std::size_t chain, const EdgePoint *points,
+                        std::size_t count, const Fit &fit) const
   {
-    EllipseMemory::Proposal &proposal = bench.proposals.append();
+    EllipseMemory::Proposal &proposal = workspace.proposals.append();
     proposal.chain = chain;
     proposal.candidate.ellipse = EllipseParameters();
     const EllipseReject reason = fit(proposal.candidate);
     if (reason != EllipseReject::NONE) {
-      refuse(bench, chain, points, count, reason, proposal.candidate.ellipse);
-      bench.proposals.removeLast();
+      refuse(workspace, chain, points, count, reason, proposal.candidate.ellipse);
+      workspace.proposals.removeLast();
     }
     return reason;
   }

@@ -36,12 +36,12 @@ void gatherLoose(const EllipseSearch &search)
 {
   std::vector<LooseArc *> &loose = search.memory.loose;
   loose.clear();
-  for (EllipseMemory::Bench &bench : search.memory.benches) {
-    for (LooseArc &arc : bench.loose) {
+  for (EllipseMemory::Workspace &workspace : search.memory.workspaces) {
+    for (LooseArc &arc : workspace.loose) {
       loose.push_back(&arc);
     }
   }
-  // Those of one chain lie in one bench, one behind the other.
+  // Those of one chain lie in one workspace, one behind the other.
   std::sort(loose.begin(), loose.end(), [](const LooseArc *p, const LooseArc *q) {
     const auto length = [](const LooseArc *arc) { return arc->points.size(); };
     return length(p) != length(q) ? length(p) > length(q)
@@ -62,24 +62,24 @@ void gatherLoose(const EllipseSearch &search)
 }
 
 // Whether two arcs give an outline, which is kept if it is new or better than the same one.
-bool join(const EllipseSearch &search, const LooseArc &one, const LooseArc &other, EllipseMemory::Bench &bench)
+bool join(const EllipseSearch &search, const LooseArc &one, const LooseArc &other, EllipseMemory::Workspace &workspace)
 {
   const std::size_t length = one.points.size() + other.points.size();
-  bench.points.clear();
+  workspace.points.clear();
   for (const LooseArc *arc : {&one, &other}) {
     for (std::size_t i = 0; i < arc->points.size(); i += 1 + length / joinedPoints) {
-      bench.points.push_back(arc->points[i]);
+      workspace.points.push_back(arc->points[i]);
     }
   }
-  EllipseMemory::Proposal &proposal = bench.proposals.append();
+  EllipseMemory::Proposal &proposal = workspace.proposals.append();
   proposal.candidate.ellipse = EllipseParameters();
   const EllipseReject reason =
-      bench.fitter.fitJoined(search.I, search.gradient, bench.points.data(), bench.points.size(),
-                             static_cast<double>(length), search.sought, proposal.candidate);
+      workspace.fitter.fitJoined(search.I, search.gradient, workspace.points.data(), workspace.points.size(),
+                                 static_cast<double>(length), search.sought, proposal.candidate);
   if (reason == EllipseReject::NONE) {
     search.memory.known.take(proposal.candidate);
   }
-  bench.proposals.removeLast();
+  workspace.proposals.removeLast();
   return reason == EllipseReject::NONE;
 }
 } // namespace
@@ -89,7 +89,7 @@ void joinArcs(const EllipseSearch &search)
 {
   gatherLoose(search);
   std::vector<LooseArc *> &loose = search.memory.loose;
-  EllipseMemory::Bench &bench = search.memory.benches.front();
+  EllipseMemory::Workspace &workspace = search.memory.workspaces.front();
   int joins = 0;
   for (std::size_t i = 0; i < loose.size(); ++i) {
     int joinsOfArc = 0;
@@ -100,7 +100,7 @@ void joinArcs(const EllipseSearch &search)
       if (search.deadline.hasPassed() || ++joins > mostJoinsOfAll) {
         return;
       }
-      if (join(search, *loose[i], *loose[j], bench)) {
+      if (join(search, *loose[i], *loose[j], workspace)) {
         for (LooseArc *&arc : loose) {
           if (arc != nullptr && search.memory.known.holds(arc->points.data(), arc->points.size())) {
             arc = nullptr;

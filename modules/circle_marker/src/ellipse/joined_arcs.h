@@ -24,7 +24,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Joins the loose arcs of all benches by twos; what comes of it is among the known outlines at once. */
+/*! Joins the loose arcs of all workspaces by twos; what comes of it is among the known outlines at once. */
 void joinArcs(const EllipseSearch &search);
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -45,23 +45,23 @@ bool isInside(const EllipseSearch &search, std::size_t cap)
   return around.isInside;
 }
 
-// The outline whose two ends are the points of the bench, as two dark caps or as those of its sheet.
-void putTogether(const EllipseSearch &search, const EdgeCap &cap, EllipseMemory::Bench &bench)
+// The outline whose two ends are the points of the workspace, as two dark caps or as those of its sheet.
+void putTogether(const EllipseSearch &search, const EdgeCap &cap, EllipseMemory::Workspace &workspace)
 {
-  const std::vector<EdgePoint> &points = bench.points;
+  const std::vector<EdgePoint> &points = workspace.points;
   if (!cap.isDark && !mayBeSheet(search.I, points.data(), points.size(), riseBesideLine(search.gradient))) {
-    return search.refuse(bench, cap.chain, points.data(), points.size(), EllipseReject::BRIGHT_INSIDE);
+    return search.refuse(workspace, cap.chain, points.data(), points.size(), EllipseReject::BRIGHT_INSIDE);
   }
   const EllipseReject reason =
-      search.propose(bench, cap.chain, points.data(), points.size(), [&](EllipseCandidate &candidate) {
-        return cap.isDark ? bench.fitter.fitEnds(search.I, search.gradient, points.data(), points.size(), search.sought,
-                                                 candidate)
-                          : bench.fitter.fitThinRing(search.I, search.gradient, points.data(), points.size(),
-                                                     ThinRing::BY_SHEETS_SHAPE, search.sought.thinRing, candidate);
+      search.propose(workspace, cap.chain, points.data(), points.size(), [&](EllipseCandidate &candidate) {
+        return cap.isDark ? workspace.fitter.fitEnds(search.I, search.gradient, points.data(), points.size(),
+                                                     search.sought, candidate)
+                          : workspace.fitter.fitThinRing(search.I, search.gradient, points.data(), points.size(),
+                                                         ThinRing::BY_SHEETS_SHAPE, search.sought.thinRing, candidate);
       });
   if (reason == EllipseReject::NONE) {
-    search.memory.known.take(bench.proposals[bench.proposals.size() - 1].candidate);
-    bench.proposals.removeLast();
+    search.memory.known.take(workspace.proposals[workspace.proposals.size() - 1].candidate);
+    workspace.proposals.removeLast();
   }
 }
 } // namespace
@@ -71,8 +71,8 @@ void joinCaps(const EllipseSearch &search)
 {
   std::vector<const EdgeCap *> &caps = search.memory.caps;
   caps.clear();
-  for (EllipseMemory::Bench &bench : search.memory.benches) {
-    for (EdgeCap &cap : bench.caps) {
+  for (EllipseMemory::Workspace &workspace : search.memory.workspaces) {
+    for (EdgeCap &cap : workspace.caps) {
       caps.push_back(&cap);
     }
   }
@@ -81,7 +81,7 @@ void joinCaps(const EllipseSearch &search)
   }
   sortCaps(caps);
   search.memory.around.assign(caps.size(), {});
-  EllipseMemory::Bench &bench = search.memory.benches.front();
+  EllipseMemory::Workspace &workspace = search.memory.workspaces.front();
   std::size_t left = fewestEnds + search.I.getSize() / pixelsForEnds;
   for (std::size_t i = 0; i < caps.size(); ++i) {
     if (search.deadline.hasPassed()) {
@@ -99,8 +99,8 @@ void joinCaps(const EllipseSearch &search)
           continue;
         }
         --left;
-        locateEnds(search.gradient, search.chains, *caps[i], *caps[j], bench.points);
-        putTogether(search, *caps[i], bench);
+        locateEnds(search.gradient, search.chains, *caps[i], *caps[j], workspace.points);
+        putTogether(search, *caps[i], workspace);
       }
     }
   }

@@ -24,7 +24,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Puts the ends of narrow things of all benches together by twos; what comes of it is known at once. */
+/*! Puts the ends of narrow things of all workspaces together by twos; what comes of it is known at once. */
 void joinCaps(const EllipseSearch &search);
 } // namespace circle_marker
 END_VISP_NAMESPACE

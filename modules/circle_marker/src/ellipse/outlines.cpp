@@ -140,7 +140,7 @@ void addReduced(const Enlargement &enlarged, const SoughtCenters &sought, Worker
       known.take(outline);
     }
     else if (scale.ellipses.keepsRefusals) {
-      scale.ellipses.benches.front().refusals.push_back({0, reason, outline.ellipse, outline.points});
+      scale.ellipses.workspaces.front().refusals.push_back({0, reason, outline.ellipse, outline.points});
     }
   }
 }

@@ -37,19 +37,19 @@ constexpr double leastRoundness = 0.5;
 constexpr double leastSheetRoundness = 0.2;
 
 // Proposes the ring that the chain is this part of. Whether there is one, or one that is known.
-bool proposeAs(const EllipseSearch &search, std::size_t index, ThinRing kind, EllipseMemory::Bench &bench)
+bool proposeAs(const EllipseSearch &search, std::size_t index, ThinRing kind, EllipseMemory::Workspace &workspace)
 {
-  if (bench.points.empty()) {
-    locateChain(search.gradient, search.chains, search.chains.chains[index], bench.points);
+  if (workspace.points.empty()) {
+    locateChain(search.gradient, search.chains, search.chains.chains[index], workspace.points);
   }
-  if (bench.points.size() < fewestPoints) {
+  if (workspace.points.size() < fewestPoints) {
     return false;
   }
-  const EdgePoint *points = bench.points.data();
-  const std::size_t count = bench.points.size();
-  const EllipseReject reason = search.propose(bench, index, points, count, [&](EllipseCandidate &candidate) {
+  const EdgePoint *points = workspace.points.data();
+  const std::size_t count = workspace.points.size();
+  const EllipseReject reason = search.propose(workspace, index, points, count, [&](EllipseCandidate &candidate) {
     const EllipseReject fitted =
-        bench.fitter.fitThinRing(search.I, search.gradient, points, count, kind, search.sought.thinRing, candidate);
+        workspace.fitter.fitThinRing(search.I, search.gradient, points, count, kind, search.sought.thinRing, candidate);
     // By its outer edge it is known better.
     return fitted == EllipseReject::NONE && search.memory.known.hasSame(candidate.ellipse, true)
                ? EllipseReject::KNOWN_OUTLINE
@@ -59,7 +59,7 @@ bool proposeAs(const EllipseSearch &search, std::size_t index, ThinRing kind, El
 }
 } // namespace
 
-bool proposeThinRing(const EllipseSearch &search, std::size_t index, EllipseMemory::Bench &bench)
+bool proposeThinRing(const EllipseSearch &search, std::size_t index, EllipseMemory::Workspace &workspace)
 {
   const EdgeChain &chain = search.chains.chains[index];
   const EdgePixel *pixels = &search.chains.pixels[chain.begin];
@@ -72,12 +72,13 @@ bool proposeThinRing(const EllipseSearch &search, std::size_t index, EllipseMemo
   const auto hasDarkLine = [&](RingNeighbour neighbour) {
     return mayHaveDarkLineBeside(search.I, pixels, chain.length(), neighbour, rise);
   };
-  bench.points.clear();
-  return (mayBeInside && hasDarkLine(RingNeighbour::INSIDE) && proposeAs(search, index, ThinRing::BY_INSIDE, bench)) ||
+  workspace.points.clear();
+  return (mayBeInside && hasDarkLine(RingNeighbour::INSIDE) &&
+          proposeAs(search, index, ThinRing::BY_INSIDE, workspace)) ||
          (isRound && chain.length() <= longestThinSheet && hasDarkLine(RingNeighbour::SHEET) &&
-          proposeAs(search, index, ThinRing::BY_SHEET, bench)) ||
+          proposeAs(search, index, ThinRing::BY_SHEET, workspace)) ||
          (roundness >= leastSheetRoundness && mayBeSheet(search.I, pixels, chain.length(), rise) &&
-          proposeAs(search, index, ThinRing::BY_SHEETS_SHAPE, bench));
+          proposeAs(search, index, ThinRing::BY_SHEETS_SHAPE, workspace));
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -33,10 +33,10 @@ constexpr std::size_t longestNarrowSheet = 260;
   that of its sheet.
   \param search : The search.
   \param index : The chain.
-  \param bench : Memory of this thread; has the proposal.
+  \param workspace : Memory of this thread; has the proposal.
   \return Whether it is one of these, or leads to an outline that is known.
 */
-bool proposeThinRing(const EllipseSearch &search, std::size_t index, EllipseMemory::Bench &bench);
+bool proposeThinRing(const EllipseSearch &search, std::size_t index, EllipseMemory::Workspace &workspace);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
