@@ -41,9 +41,9 @@ TEST(WordEvidence, TellsTheCodewordThoughARunOfSectorsIsCovered)
       const LikeliestWord best = evidence.likeliest(code);
       EXPECT_EQ(best.word, marker.word) << "grey " << grey;
       EXPECT_GT(best.odds, 7.) << "grey " << grey;
-      EXPECT_GT(best.told, family.getNbSectors() - hidden - 2.);
-      EXPECT_LT(best.told, family.getNbSectors() - hidden + 1.);
-      EXPECT_LT(best.against, 0.5);
+      EXPECT_GT(best.confirmed, family.getNbSectors() - hidden - 2.);
+      EXPECT_LT(best.confirmed, family.getNbSectors() - hidden + 1.);
+      EXPECT_LT(best.contradicted, 0.5);
     }
   }
 }
@@ -81,7 +81,7 @@ TEST(WordEvidence, DoubtsWhatLooksLikeTheCover)
       const LikeliestWord best = evidence.likeliest(codeOf(family));
       // Another one may be believed in no case, and what is covered is not told.
       EXPECT_TRUE(best.word == marker.word || best.odds < 7.) << "grey " << grey;
-      EXPECT_LT(best.told, family.getNbSectors() - hidden + 1.) << "grey " << grey;
+      EXPECT_LT(best.confirmed, family.getNbSectors() - hidden + 1.) << "grey " << grey;
     }
   }
 }

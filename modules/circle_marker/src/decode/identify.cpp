@@ -189,13 +189,13 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, const TrackPix
   evidence.leaveOutUnexplained(best.word, seen);
   CodeReading result;
   result.id = identity->id;
-  result.hamming = static_cast<unsigned int>(std::lround(best.against));
+  result.hamming = static_cast<unsigned int>(std::lround(best.contradicted));
   // By Laplace's rule of succession: a few sectors are not certainty.
-  result.margin = (best.told - best.against) / (best.told + best.against + 2.);
+  result.margin = (best.confirmed - best.contradicted) / (best.confirmed + best.contradicted + 2.);
   result.spin = phase + 2. * M_PI * identity->rotation / reading.sectors;
   // As many bits as the message has leave one codeword; each sector more halves the chance that what is none fits.
-  const auto told = static_cast<unsigned int>(std::lround(best.told + best.against));
-  if (best.told - bitsOfErrors(told, result.hamming) < code.getDimension()) {
+  const auto told = static_cast<unsigned int>(std::lround(best.confirmed + best.contradicted));
+  if (best.confirmed - bitsOfErrors(told, result.hamming) < code.getDimension()) {
     return {vpCircleMarkerReject::NO_SECTORS, result};
   }
   const double corrected = static_cast<double>(result.hamming) / code.getCapacity();

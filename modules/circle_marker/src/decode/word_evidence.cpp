@@ -297,8 +297,8 @@ LikeliestWord WordEvidence::likeliest(const CyclicCode &code) const
   const std::uint64_t bits = extended(result.word, n);
   for (unsigned int k = 0; k < n; ++k) {
     const unsigned int pattern = (bits >> (n - 1 - k)) & 31U;
-    result.told += m_told[k][pattern];
-    result.against += m_told[k][pattern ^ 4U];
+    result.confirmed += m_told[k][pattern];
+    result.contradicted += m_told[k][pattern ^ 4U];
     result.odds -= static_cast<double>(m_evidence[k][pattern ^ 4U]);
   }
   return result;

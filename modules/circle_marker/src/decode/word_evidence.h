@@ -32,9 +32,9 @@ namespace circle_marker {
 struct LikeliestWord
 {
   CyclicCode::Word word = 0;
-  double odds = 0.;    //!< Against all other codewords together, and what speaks against it, ln.
-  double told = 0.;    //!< Sectors that the pixels tell to be what the word makes them; doubtful ones in part.
-  double against = 0.; //!< Sectors that the pixels tell to be the other kind.
+  double odds = 0.;         //!< Against all other codewords together, and what speaks against it, ln.
+  double confirmed = 0.;    //!< Sectors that the pixels tell to be what the word makes them; doubtful ones in part.
+  double contradicted = 0.; //!< Sectors that the pixels tell to be the other kind.
 };
 
 /*!
