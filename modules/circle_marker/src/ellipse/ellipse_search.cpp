@@ -56,7 +56,7 @@ void EllipseSearch::settle() const
     }
   }
   // Proposals of one chain lie in one workspace, one behind the other; workspaces do not order addresses, so chains
-  // first.
+  // come first.
   std::sort(memory.proposals.begin(), memory.proposals.end(),
             [](const EllipseMemory::Proposal *p, const EllipseMemory::Proposal *q) {
               return p->chain != q->chain ? p->chain < q->chain : std::less<>()(p, q);
