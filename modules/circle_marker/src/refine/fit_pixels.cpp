@@ -88,6 +88,82 @@ double edgeLength(const MarkerPattern &pattern, double meanRadius)
   return length * meanRadius;
 }
 
+// One pixel in so many, in a lattice that is slanted by the golden section so that it has no short period along any
+// edge; the edges of a marker that is thinned know white and black well enough without its flat areas.
+struct Lattice
+{
+  explicit Lattice(int pixels) : keep(pixels), slant(static_cast<int>(std::lround(0.382 * pixels))) {}
+
+  bool holdsAll() const { return keep == 1; }
+  bool holds(int u, int v) const { return keep == 1 || (u + slant * v) % keep == 0; }
+
+  int keep;
+  int slant;
+};
+
+// Adds pixels, with what the model needs of each.
+class PixelAdder
+{
+public:
+  PixelAdder(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
+             const SurroundShare &surround, std::vector<FitPixel> &pixels)
+      : m_image(I), m_camera(camera), m_frame(frame), m_surround(surround), m_pixels(pixels),
+        m_perSize(1. / frame.size), m_isLinear(camera.isLinear()), m_corner(camera.toMeter(Eigen::Vector2d::Zero())),
+        m_perPixel(camera.meterPerPixel(Eigen::Vector2d::Zero()).diagonal())
+  {
+  }
+
+  void add(int u, int v, const Eigen::Matrix2f &meterPerPixel)
+  {
+    const Eigen::Vector2d meter =
+        m_isLinear ? Eigen::Vector2d(m_corner.x() + u * m_perPixel.x(), m_corner.y() + v * m_perPixel.y())
+                   : m_camera.toMeter(Eigen::Vector2d(u, v));
+    FitPixel &pixel = m_pixels.emplace_back();
+    pixel.meter = meter.cast<float>();
+    pixel.meterPerPixel = meterPerPixel;
+    pixel.offset << static_cast<float>(m_perSize * (u - m_frame.center.x())),
+        static_cast<float>(m_perSize * (v - m_frame.center.y()));
+    pixel.grey = m_image[v][u];
+    if (m_surround.isNear() && !m_surround.complete(meter, pixel)) {
+      m_pixels.pop_back();
+    }
+  }
+
+private:
+  const vpImage<unsigned char> &m_image;
+  const CameraModel &m_camera;
+  const ImageFrame &m_frame;
+  const SurroundShare &m_surround;
+  std::vector<FitPixel> &m_pixels;
+  const double m_perSize;
+  const bool m_isLinear;
+  const Eigen::Vector2d m_corner;   // normalised coordinates
+  const Eigen::Vector2d m_perPixel; // of these, if linear
+};
+
+using Hypotheses = std::array<TileView, mostHypotheses>;
+
+// Calls visit(u, v) for the pixels of the tile that the hypotheses look at, as far as the box reaches, that are nearer
+// than the band is wide to an edge in any of them.
+template <class Visit>
+void forEachNear(const Hypotheses &hypotheses, std::size_t count, int left, int top, const Box &box, double band,
+                 const Visit &visit)
+{
+  const int right = std::min(left + laneCount - 1, box.right);
+  for (int v = top; v <= std::min(top + laneCount - 1, box.bottom); ++v) {
+    Lanes distance = Lanes::Constant(HUGE_VALF);
+    for (std::size_t i = 0; i < count; ++i) {
+      distance = distance.min(hypotheses[i].distances(v - top - tileHalf));
+    }
+    const LaneList chosen = lanesBelow(distance, static_cast<float>(band));
+    for (int k = 0; k < chosen.count; ++k) {
+      const int u = left + chosen.lanes[static_cast<std::size_t>(k)];
+      if (u <= right) {
+        visit(u, v);
+      }
+    }
+  }
+}
 } // namespace
 
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
@@ -104,31 +180,13 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   const double deviations = 2. * size < smallMarker ? bandOfSmall : 2. * size > largeMarker ? bandOfLarge : bandOfBlur;
   const double band = deviations * blur.sigma + longer * poseErrorOfSelection;
   const double expected = 2. * band * edgeLength(pattern, size);
-  // A lattice of one pixel in `keep`, slanted by the golden section so that it has no short period along any edge; the
-  // edges of a marker that is thinned know white and black well enough without its flat areas.
-  const int keep = std::max(1, static_cast<int>(std::ceil(expected / most)));
-  const int slant = static_cast<int>(std::lround(0.382 * keep));
+  const Lattice lattice(std::max(1, static_cast<int>(std::ceil(expected / most))));
+  // Inside a plain ring anything may be printed: only the neighbourhood of its edges is known.
+  const bool usesFlat = pattern.sectors > 0 && lattice.holdsAll();
   SurroundShare surround(I, camera, planes, count, pattern.paper, blur);
-  std::array<TileView, mostHypotheses> hypotheses = {
+  Hypotheses hypotheses = {
       {{planes[0], pattern, band, blur.shape()}, {planes[count - 1], pattern, band, blur.shape()}}};
-  const double perSize = 1. / frame.size;
-  const bool isLinear = camera.isLinear();
-  const Eigen::Vector2d corner = camera.toMeter(Eigen::Vector2d::Zero());
-  const Eigen::Vector2d perPixel = camera.meterPerPixel(Eigen::Vector2d::Zero()).diagonal(); // if linear
-  const auto add = [&](int u, int v, const Eigen::Matrix2f &meterPerPixel) {
-    const Eigen::Vector2d meter = isLinear
-                                      ? Eigen::Vector2d(corner.x() + u * perPixel.x(), corner.y() + v * perPixel.y())
-                                      : camera.toMeter(Eigen::Vector2d(u, v));
-    FitPixel &pixel = pixels.emplace_back();
-    pixel.meter = meter.cast<float>();
-    pixel.meterPerPixel = meterPerPixel;
-    pixel.offset << static_cast<float>(perSize * (u - frame.center.x())),
-        static_cast<float>(perSize * (v - frame.center.y()));
-    pixel.grey = I[v][u];
-    if (surround.isNear() && !surround.complete(meter, pixel)) {
-      pixels.pop_back();
-    }
-  };
+  PixelAdder adder(I, camera, frame, surround, pixels);
   for (int top = box.top; top <= box.bottom; top += laneCount) {
     for (int left = box.left; left <= box.right; left += laneCount) {
       const Eigen::Vector2d middle(left + tileHalf, top + tileHalf);
@@ -137,30 +195,20 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
       for (std::size_t i = 0; i < count; ++i) {
         isNear = hypotheses[i].enter(tile) || isNear;
       }
-      if (!isNear) {
-        // Inside a plain ring anything may be printed: only the neighbourhood of its edges is known.
-        if (pattern.sectors > 0 && keep == 1) {
-          surround.enter(hypotheses);
-          add(left, top, tile.meterPerPixel.cast<float>());
-        }
+      if (!isNear && !usesFlat) {
         continue;
       }
       surround.enter(hypotheses);
       const Eigen::Matrix2f derivative = tile.meterPerPixel.cast<float>();
-      const int right = std::min(left + laneCount - 1, box.right);
-      for (int v = top; v <= std::min(top + laneCount - 1, box.bottom); ++v) {
-        Lanes distance = Lanes::Constant(HUGE_VALF);
-        for (std::size_t i = 0; i < count; ++i) {
-          distance = distance.min(hypotheses[i].distances(v - top - tileHalf));
-        }
-        const LaneList chosen = lanesBelow(distance, static_cast<float>(band));
-        for (int k = 0; k < chosen.count; ++k) {
-          const int u = left + chosen.lanes[static_cast<std::size_t>(k)];
-          if (u <= right && (keep == 1 || (u + slant * v) % keep == 0)) {
-            add(u, v, derivative);
-          }
-        }
+      if (!isNear) {
+        adder.add(left, top, derivative);
+        continue;
       }
+      forEachNear(hypotheses, count, left, top, box, band, [&](int u, int v) {
+        if (lattice.holds(u, v)) {
+          adder.add(u, v, derivative);
+        }
+      });
     }
   }
 }
