@@ -25,6 +25,7 @@
 
 #include "refine/grey_model.h"
 #include "refine/line_model.h"
+#include "refine/light_equations.h"
 #include "refine/sums.h"
 
 BEGIN_VISP_NAMESPACE
@@ -129,12 +130,8 @@ void Likelihood::keepResiduals()
 
 bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometry) const
 {
-  constexpr std::size_t unknowns = 4; // light, its gradient, contrast times light
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
-  std::array<Lanes, 2 * laneCount> sums; // lower triangle of the matrix, row by row, and the right-hand side
-  for (Lanes &lanes : sums) {
-    lanes.setZero();
-  }
+  LightEquations equations;
   Lanes darkness;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
@@ -148,37 +145,16 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
         print -= share * surround->beyond[shape];
       }
     }
-    std::array<Lanes, unknowns> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness};
+    std::array<Lanes, lightUnknowns> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness};
     if (photometry.shadow) {
       const Lanes share = shadowOf(block, *photometry.shadow).value;
       for (Lanes &lanes : row) {
         lanes = share * lanes;
       }
     }
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < unknowns; ++i) {
-      const Lanes weighted = weight * row[i];
-      for (std::size_t j = 0; j <= i; ++j) {
-        sums[k++] += weighted * row[j];
-      }
-      sums[unknowns * (unknowns + 1) / 2 + i] += weighted * print;
-    }
+    equations.add(row, print, weight);
   });
-  const std::array<Lanes, 2> totals = {sumOfEach(sums.data()), sumOfEach(sums.data() + laneCount)};
-  const auto total = [&totals](std::size_t k) {
-    return static_cast<double>(totals[k / laneCount][static_cast<std::ptrdiff_t>(k % laneCount)]);
-  };
-  Eigen::Matrix4d matrix;
-  Eigen::Vector4d right;
-  std::size_t k = 0;
-  for (int i = 0; i < static_cast<int>(unknowns); ++i) {
-    for (int j = 0; j <= i; ++j) {
-      matrix(i, j) = total(k++);
-      matrix(j, i) = matrix(i, j);
-    }
-    right[i] = total(unknowns * (unknowns + 1) / 2 + static_cast<std::size_t>(i));
-  }
-  const Eigen::Vector4d solution = matrix.ldlt().solve(right);
+  const Eigen::Vector4d solution = equations.solve();
   if (!solution.allFinite() || solution[0] <= 0. || solution[3] < leastContrast) {
     return false;
   }
