@@ -22,6 +22,7 @@
 #include <cmath>
 
 #include "support/bilinear.h"
+#include "support/median.h"
 #include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
@@ -87,14 +88,6 @@ Crossing crossingAt(const MeasuredRing &ring, const CameraModel &camera, double 
 double insideAt(const Crossing &crossing, double distance)
 {
   return NormalDistribution::instance().at(-distance / crossing.blur).cumulative;
-}
-
-// Middle one of the first numbers; they are put into another order.
-double medianOf(std::array<double, directionsOfHalo> &numbers, std::size_t count)
-{
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(numbers.begin(), middle, numbers.begin() + static_cast<std::ptrdiff_t>(count));
-  return *middle;
 }
 
 // What moves the edges outward or inward moves the depth, by the same share; and the tilt, as in the short direction of

@@ -21,6 +21,7 @@
 #include <cmath>
 
 #include "decode/sector_equations.h"
+#include "support/median.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -195,9 +196,7 @@ double usualGrey(const Solution &solution, const SectorReading &reading, bool bl
       break;
     }
   }
-  const auto middle = greys.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(greys.begin(), middle, greys.begin() + static_cast<std::ptrdiff_t>(count));
-  return count > 0 ? *middle : black ? 0. : 1.;
+  return count > 0 ? medianOf(greys, count) : black ? 0. : 1.;
 }
 
 // Sectors that are neither as black as the ink nor as white as the paper, nor as black or white as the others are.

@@ -25,6 +25,7 @@
 
 #include "decode/marker_light.h"
 #include "support/bilinear.h"
+#include "support/median.h"
 #include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
@@ -251,9 +252,7 @@ private:
         differences[used++] = std::abs(lightOutside(direction) / lightAt(direction, m_radii[OUTSIDE]) - 1.);
       }
     }
-    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(used / 2);
-    std::nth_element(differences.begin(), middle, differences.begin() + static_cast<std::ptrdiff_t>(used));
-    m_sameWhite = std::min(sameWhite + sameWhiteOfScatter * *middle, mostSameWhite);
+    m_sameWhite = std::min(sameWhite + sameWhiteOfScatter * medianOf(differences, used), mostSameWhite);
   }
 
   double lightAt(const Direction &direction, double radius) const

@@ -21,6 +21,7 @@
 #include <cmath>
 
 #include "support/bilinear.h"
+#include "support/median.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -58,9 +59,7 @@ std::optional<RadialProfile> radialProfile(const vpImage<unsigned char> &I, cons
     if (2 * count < directions) {
       return std::nullopt;
     }
-    const auto middle = greys.begin() + static_cast<std::ptrdiff_t>(count / 2);
-    std::nth_element(greys.begin(), middle, greys.begin() + static_cast<std::ptrdiff_t>(count));
-    profile.grey[i] = *middle;
+    profile.grey[i] = medianOf(greys, count);
   }
   return profile;
 }

@@ -22,6 +22,7 @@
 
 #include "ellipse/ellipse_walk.h"
 #include "support/bilinear.h"
+#include "support/median.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -74,9 +75,7 @@ double medianContrast(const vpImage<unsigned char> &I, const EllipseCandidate &c
   if (count == 0) {
     return 0.;
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(steps.begin(), middle, steps.begin() + static_cast<std::ptrdiff_t>(count));
-  return *middle;
+  return medianOf(steps, count);
 }
 
 GreysBeside greysBeside(const vpImage<unsigned char> &I, const EdgePoint *points, std::size_t count)

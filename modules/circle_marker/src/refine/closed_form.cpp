@@ -31,6 +31,7 @@
 #include "refine/fit_starts.h"
 #include "support/bilinear.h"
 #include "support/cross_matrix.h"
+#include "support/median.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -75,9 +76,7 @@ double blurAlong(const vpImage<unsigned char> &I, const EllipseCandidate &outlin
   if (count == 0) {
     return leastBlur;
   }
-  const auto middle = blurs.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(blurs.begin(), middle, blurs.begin() + static_cast<std::ptrdiff_t>(count));
-  return std::max(leastBlur, blurSlack * *middle);
+  return std::max(leastBlur, blurSlack * medianOf(blurs, count));
 }
 
 // By how much the pose moves if all points move outward in ways that they may have in common, each a column.
