@@ -42,7 +42,8 @@ double noiseOfSquares(const Equations &equations)
 // The biweight's mean is 0.915 with normal noise, and the equations' information with it; its efficiency is 0.95.
 constexpr double biweightCovariance = 0.915 / 0.95;
 
-// Covariance of (t, w) in the camera frame from that of the twist in the marker's.
+// Covariance of (t, w) in the camera frame from that of the twist in the marker's. fittedPose() of
+// blurred_measurement.cpp has the same: this one is compiled for each set of instructions, and rounds as that does.
 Eigen::Matrix<double, 6, 6> inCameraFrame(const Eigen::Matrix<double, 6, 6> &covariance, const MarkerPlane &plane)
 {
   Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Zero();

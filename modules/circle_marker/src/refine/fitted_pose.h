@@ -40,7 +40,7 @@ struct FittedPose
   bool isSettled = false;  //!< Whether it has come to the end of its steps, not to the last allowed.
   double coherence = 1.;   //!< By how much parts of the print pull the pose apart more than noise does.
   double decrement = 0.;   //!< What another step would take off the squares, grey levels^2.
-  //! Of (t, w): see Darkness::byPose.
+  //! Of (t, w) in the camera frame, about the marker's centre, metres and radians.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };
 
