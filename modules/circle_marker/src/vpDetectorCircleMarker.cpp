@@ -77,7 +77,7 @@ void vpDetectorCircleMarker::Impl::detectBlack(const vpImage<unsigned char> &I, 
                                                const vpCameraParameters &cam, const Deadline &deadline)
 {
   m_workers.setCount(settings.threads);
-  m_benches.resize(m_workers.getCount());
+  m_workspaces.resize(m_workers.getCount());
   const CameraModel camera(cam);
   const Visit visit = {I, size, camera, deadline, m_outlines.full.gradient.noise};
   m_inRegions.clear();

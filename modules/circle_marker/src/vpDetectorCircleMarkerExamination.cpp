@@ -72,7 +72,7 @@ void vpDetectorCircleMarker::Impl::choose(const Visit &visit, const Outlines &ou
       continue;
     }
     if (isWaiting && !examination.isRead && !visit.deadline.hasPassed()) {
-      read(visit, outlines[i], m_benches.front(), examination);
+      read(visit, outlines[i], m_workspaces.front(), examination);
     }
     if (examination.marker) {
       m_chosenPlaces.add(outlines[i].ellipse, *examination.marker);
@@ -155,7 +155,7 @@ void vpDetectorCircleMarker::Impl::measureTogether(const Visit &visit, const Out
     Examination &examination = m_examinations[m_chosen[k]];
     examination.isFound =
         !visit.deadline.hasPassed() && measureMarker(visit, outlines[m_chosen[k]], *examination.marker,
-                                                     m_benches[worker], m_measured[examination.place]);
+                                                     m_workspaces[worker], m_measured[examination.place]);
     m_measured[examination.place].mayBeBlurred = examination.mayBeBlurred;
   });
 }
@@ -189,7 +189,7 @@ void vpDetectorCircleMarker::Impl::readTogether(const Visit &visit, const Outlin
     }
     m_workers.run(m_chosen.size(), [&](std::size_t k, unsigned int worker) {
       if (!visit.deadline.hasPassed()) {
-        read(visit, outlines[m_chosen[k]], m_benches[worker], m_examinations[m_chosen[k]]);
+        read(visit, outlines[m_chosen[k]], m_workspaces[worker], m_examinations[m_chosen[k]]);
       }
     });
   }

@@ -99,7 +99,7 @@ private:
     double halo = 1.;                                     //!< Of its outer edge (haloOf()), if it is measured.
   };
   /*! Working memory of one thread. */
-  struct Bench
+  struct Workspace
   {
     std::vector<Eigen::Vector2d> meters;    //!< Points of an outline.
     circle_marker::MeasureMemory measuring; //!< Of the refinement.
@@ -132,25 +132,26 @@ private:
   void examineAll(const Visit &visit, const Outlines &outlines);
   void allowBlurred(const Visit &visit, const Outlines &outlines);
   void readTogether(const Visit &visit, const Outlines &outlines);
-  void read(const Visit &visit, const circle_marker::EllipseCandidate &outline, Bench &bench,
+  void read(const Visit &visit, const circle_marker::EllipseCandidate &outline, Workspace &workspace,
             Examination &examination) const;
   void readWhole(const Visit &visit, const circle_marker::EllipseCandidate &outline,
                  const circle_marker::PosePair &poses, const vpCircleMarkerFamily &family,
                  Examination &examination) const;
   std::optional<circle_marker::Recognition>
   readInDoubt(const Visit &visit, const circle_marker::EllipseCandidate &outline, const circle_marker::PosePair &poses,
-              const vpCircleMarkerFamily &family, circle_marker::ReadingKind kind, Bench &bench) const;
+              const vpCircleMarkerFamily &family, circle_marker::ReadingKind kind, Workspace &workspace) const;
   double sizeOf(const circle_marker::Recognition &marker, const Visit &visit) const;
   std::optional<circle_marker::Measurement> withoutCover(const Visit &visit,
                                                          const circle_marker::EllipseCandidate &outline,
                                                          const circle_marker::Measurement &measurement,
-                                                         circle_marker::Recognition &marker, Bench &bench) const;
+                                                         circle_marker::Recognition &marker,
+                                                         Workspace &workspace) const;
   bool measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
-                     const circle_marker::Recognition &marker, Bench &bench, Found &measured) const;
+                     const circle_marker::Recognition &marker, Workspace &workspace, Found &measured) const;
   bool measureIn(const Visit &visit, const circle_marker::EllipseCandidate &outline, circle_marker::Recognition marker,
-                 Bench &bench, Found &measured, Fit &fit) const;
+                 Workspace &workspace, Found &measured, Fit &fit) const;
   bool measureRestored(const Visit &visit, const circle_marker::EllipseCandidate &outline,
-                       const circle_marker::Recognition &marker, Bench &bench, Fit &fit, Found &measured) const;
+                       const circle_marker::Recognition &marker, Workspace &workspace, Fit &fit, Found &measured) const;
   void choose(const Visit &visit, const Outlines &outlines);
   void measureChosen(const Visit &visit, const Outlines &outlines);
   void measureTogether(const Visit &visit, const Outlines &outlines, std::size_t begin, std::size_t end);
@@ -173,7 +174,7 @@ private:
   std::vector<circle_marker::SeenMarker> m_inRegions; //!< Those of a search of its regions that did not find all.
   bool m_hadRegions = false;                          //!< Whether the regions of the last image were searched in vain.
   circle_marker::Workers m_workers;                   //!< Threads.
-  std::vector<Bench> m_benches;                       //!< One for each thread.
+  std::vector<Workspace> m_workspaces;                //!< One for each thread.
   std::vector<Examination> m_examinations;            //!< One for each outline.
   circle_marker::ReusedList<Found> m_measured;        //!< What was measured of outlines.
   std::vector<circle_marker::Attempt> m_attempts;     //!< The ways to read an outline.

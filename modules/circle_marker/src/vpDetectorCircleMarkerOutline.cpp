@@ -44,7 +44,7 @@ namespace {
 constexpr double leastRingSemiMinor = 3.8;
 
 // Outlines of an image that are read through a blur, at most. A picture that is out of focus has hundreds of them if it
-// is full of rings; each takes 10 to 20 ms and a family (bench-circle-marker --timeouts 1, defocused-tracks).
+// is full of rings; each takes 10 to 20 ms and a family (workspace-circle-marker --timeouts 1, defocused-tracks).
 constexpr std::size_t mostBlurred = 16;
 
 // Residuals larger than this, grey levels, are not noise; unless the image has so much, by which it is known to a half.
@@ -76,10 +76,10 @@ void scaleTo(double size, FittedPose &fit)
 } // namespace
 
 /*! One outline through the rooms pose and decode: the first of the families that remain and that it looks like. */
-void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandidate &outline, Bench &bench,
+void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandidate &outline, Workspace &workspace,
                                         Examination &examination) const
 {
-  const auto poses = posesFromOutline(outline.points, visit.camera, 0.5 * visit.size, bench.meters);
+  const auto poses = posesFromOutline(outline.points, visit.camera, 0.5 * visit.size, workspace.meters);
   if (!poses && keepsDebug) {
     examination.candidates.push_back(candidateOf(outline, settings.families.front(), vpCircleMarkerReject::NO_POSE));
   }
@@ -87,7 +87,7 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
     if (attempt.kind != ReadingKind::WHOLE) {
-      examination.marker = readInDoubt(visit, outline, *poses, family, attempt.kind, bench);
+      examination.marker = readInDoubt(visit, outline, *poses, family, attempt.kind, workspace);
       if (examination.marker && keepsDebug) {
         std::vector<vpCircleMarkerCandidate> &candidates = examination.candidates; // it is none as a whole marker only
         candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
@@ -108,12 +108,14 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
 }
 
 /*! An outline as a marker with sectors that are too small to be read one by one, or with something in front of it. */
-std::optional<Recognition>
-vpDetectorCircleMarker::Impl::readInDoubt(const Visit &visit, const EllipseCandidate &outline, const PosePair &poses,
-                                          const vpCircleMarkerFamily &family, ReadingKind kind, Bench &bench) const
+std::optional<Recognition> vpDetectorCircleMarker::Impl::readInDoubt(const Visit &visit,
+                                                                     const EllipseCandidate &outline,
+                                                                     const PosePair &poses,
+                                                                     const vpCircleMarkerFamily &family,
+                                                                     ReadingKind kind, Workspace &workspace) const
 {
   if (kind == ReadingKind::COVERED) {
-    return recogniseByMeasuredRing(visit.I, visit.camera, outline, poses, family, settings.decode, bench.measuring,
+    return recogniseByMeasuredRing(visit.I, visit.camera, outline, poses, family, settings.decode, workspace.measuring,
                                    visit.deadline);
   }
   // Who asks for more certainty than by default, or forbids corrections, gets what is read sector by sector.
@@ -177,9 +179,9 @@ double vpDetectorCircleMarker::Impl::sizeOf(const Recognition &marker, const Vis
 std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visit &visit,
                                                                       const EllipseCandidate &outline,
                                                                       const Measurement &measurement,
-                                                                      Recognition &marker, Bench &bench) const
+                                                                      Recognition &marker, Workspace &workspace) const
 {
-  MeasureMemory &memory = bench.measuring;
+  MeasureMemory &memory = workspace.measuring;
   const double noise = visit.noise;
   const WholeVerdict verdict = judgeWhole(visit.I, visit.camera, noise, outline.support, marker, measurement, memory);
   if (verdict == WholeVerdict::WRONG) {
@@ -199,7 +201,7 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
   if (verdict == WholeVerdict::RIGHT) {
     return isPartMissing(outline.support) ? leftOut() : measurement;
   }
-  const auto poses = posesFromOutline(outline.points, visit.camera, measurement.first.plane.radius, bench.meters);
+  const auto poses = posesFromOutline(outline.points, visit.camera, measurement.first.plane.radius, workspace.meters);
   auto covered = poses ? recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, marker.family, settings.decode,
                                                  memory, visit.deadline)
                        : std::nullopt;
@@ -225,32 +227,31 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
   in what the image was before.
 */
 bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline,
-                                                 const Recognition &marker, Bench &bench, Found &measured) const
+                                                 const Recognition &marker, Workspace &workspace, Found &measured) const
 {
   Fit fit;
-  const bool isMeasured = measureIn(visit, outline, marker, bench, measured, fit);
+  const bool isMeasured = measureIn(visit, outline, marker, workspace, measured, fit);
   if (!settings.refinePose || marker.seen || marker.blurred || visit.deadline.hasPassed() ||
       !(isMeasured ? fit.halo >= leastHalo : marker.isCertain)) {
     return isMeasured;
   }
   if (isMeasured) {
-    return measureRestored(visit, outline, marker, bench, fit, measured) || isMeasured;
+    return measureRestored(visit, outline, marker, workspace, fit, measured) || isMeasured;
   }
   for (const MarkerPlane &pose : marker.poses) {
     fit.poses.push_back(pose);
   }
   // A mask that was told at poses of the outline is told better at the pose that is measured behind it.
-  const bool isRestored = measureRestored(visit, outline, marker, bench, fit, measured);
-  return isRestored && (measureRestored(visit, outline, marker, bench, fit, measured) || isRestored);
+  const bool isRestored = measureRestored(visit, outline, marker, workspace, fit, measured);
+  return isRestored && (measureRestored(visit, outline, marker, workspace, fit, measured) || isRestored);
 }
 
 /*!
   The same in what the image was before the camera sharpened it; false, and nothing changes, if it did not, or if the
-  halo does not become less.
-  \param fit : The fit in the image as it is, and then this one.
+  halo does not become less. The fit is that in the image as it is, and then this one.
 */
 bool vpDetectorCircleMarker::Impl::measureRestored(const Visit &visit, const EllipseCandidate &outline,
-                                                   const Recognition &marker, Bench &bench, Fit &fit,
+                                                   const Recognition &marker, Workspace &workspace, Fit &fit,
                                                    Found &measured) const
 {
   const auto mask = unsharpMaskOf(visit.I, visit.camera, fit.poses, marker.family.getLayout());
@@ -258,13 +259,13 @@ bool vpDetectorCircleMarker::Impl::measureRestored(const Visit &visit, const Ell
     return false;
   }
   const PixelBox box = surroundingsOf(outline, marker.family, visit.I);
-  undo(*mask, visit.I, cv::Rect(box.left, box.top, box.width(), box.height()), bench.restored);
+  undo(*mask, visit.I, cv::Rect(box.left, box.top, box.width(), box.height()), workspace.restored);
   const double noise = visit.noise / (1. + mask->amount); // of the highest frequencies, by which it is measured
-  const Visit before = {bench.restored, visit.size,        visit.camera, visit.deadline,
-                        noise,          visit.isSizeGiven, mask->error};
+  const Visit before = {workspace.restored, visit.size, visit.camera, visit.deadline, noise,
+                        visit.isSizeGiven,  mask->error};
   Fit restoredFit;
   Found restored;
-  if (!measureIn(before, outline, marker, bench, restored, restoredFit) || restoredFit.halo > fit.halo) {
+  if (!measureIn(before, outline, marker, workspace, restored, restoredFit) || restoredFit.halo > fit.halo) {
     return false;
   }
   restored.noise = visit.noise;
@@ -275,22 +276,22 @@ bool vpDetectorCircleMarker::Impl::measureRestored(const Visit &visit, const Ell
 
 /*! The same in the image of a visit as it is. */
 bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCandidate &outline, Recognition marker,
-                                             Bench &bench, Found &measured, Fit &fit) const
+                                             Workspace &workspace, Found &measured, Fit &fit) const
 {
   const bool isProofWanted = settings.refinePose && !marker.seen && !marker.blurred &&
                              (!marker.isCertain || wantsProof(outline.ellipse, marker.family));
   std::optional<Measurement> measurement;
   if (isProofWanted) {
-    measurement = measureProven(visit.I, visit.camera, visit.noise, marker, bench.measuring, visit.deadline);
+    measurement = measureProven(visit.I, visit.camera, visit.noise, marker, workspace.measuring, visit.deadline);
   }
   else if (settings.refinePose || !marker.blurred) { // the reading through a blur has its own poses
-    measurement = measure(visit.I, visit.camera, marker, settings.refinePose, bench.measuring, visit.deadline);
+    measurement = measure(visit.I, visit.camera, marker, settings.refinePose, workspace.measuring, visit.deadline);
   }
   if (!isProofWanted) {
     measurement = bestMeasurement(marker, measurement);
   }
   if (measurement && settings.refinePose && !isProofWanted) {
-    measurement = withoutCover(visit, outline, *measurement, marker, bench);
+    measurement = withoutCover(visit, outline, *measurement, marker, workspace);
   }
   if (!measurement || (settings.refinePose && !isNoise(measurement->first.noise, visit.noise))) {
     return false;
@@ -310,7 +311,7 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
   }
   else if (!marker.blurred) {
     measurement->first.covariance =
-        closedFormCovariance(visit.I, outline, measurement->first.plane, marker.family, visit.camera, bench.meters);
+        closedFormCovariance(visit.I, outline, measurement->first.plane, marker.family, visit.camera, workspace.meters);
   }
   fit.poses.push_back(measurement->first.plane);
   if (measurement->second) {

@@ -65,8 +65,8 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   if (!poses) {
     return std::nullopt;
   }
-  m_benches.resize(std::max<std::size_t>(m_benches.size(), 1));
-  Bench &bench = m_benches.front();
+  m_workspaces.resize(std::max<std::size_t>(m_workspaces.size(), 1));
+  Workspace &workspace = m_workspaces.front();
   const vpImage<unsigned char> &kept = known.detection.isInverse ? m_inverse.front().image : image;
   const vpCircleMarkerFamily &family = known.marker.family;
   const Deadline never;
@@ -76,14 +76,14 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   for (const Attempt &attempt : attempts) {
     std::optional<Recognition> marker;
     if (attempt.kind != ReadingKind::WHOLE) {
-      marker = readInDoubt(visit, known.outline, *poses, family, attempt.kind, bench);
+      marker = readInDoubt(visit, known.outline, *poses, family, attempt.kind, workspace);
     }
     else if (auto whole =
                  recognise(kept, camera, *poses, known.outline, family, settings.decode, nullptr, known.mayBeBlurred)) {
       marker = std::move(*whole);
     }
     Found measured;
-    const bool isMeasured = marker && measureMarker(visit, known.outline, *marker, bench, measured);
+    const bool isMeasured = marker && measureMarker(visit, known.outline, *marker, workspace, measured);
     if (isMeasured &&
         measured.detection.id == known.detection.id) { // a proof may have made another one of what was read
       measured.detection.isInverse = known.detection.isInverse;
