@@ -44,7 +44,7 @@ namespace {
 constexpr double leastRingSemiMinor = 3.8;
 
 // Outlines of an image that are read through a blur, at most. A picture that is out of focus has hundreds of them if it
-// is full of rings; each takes 10 to 20 ms and a family (workspace-circle-marker --timeouts 1, defocused-tracks).
+// is full of rings; each takes 10 to 20 ms and a family (bench-circle-marker --timeouts 1, defocused-tracks).
 constexpr std::size_t mostBlurred = 16;
 
 // Residuals larger than this, grey levels, are not noise; unless the image has so much, by which it is known to a half.
