@@ -259,7 +259,10 @@ bool vpDetectorCircleMarker::Impl::measureRestored(const Visit &visit, const Ell
     return false;
   }
   const PixelBox box = surroundingsOf(outline, marker.family, visit.I);
-  undo(*mask, visit.I, cv::Rect(box.left, box.top, box.width(), box.height()), workspace.restored);
+  const cv::Rect around(box.left, box.top, box.width(), box.height());
+  if (!undo(*mask, visit.I, around, visit.deadline, workspace.restored)) {
+    return false;
+  }
   const double noise = visit.noise / (1. + mask->amount); // of the highest frequencies, by which it is measured
   const Visit before = {workspace.restored, visit.size, visit.camera, visit.deadline, noise,
                         visit.isSizeGiven,  mask->error};

@@ -157,7 +157,7 @@ TEST(UnsharpMask, UndoingItBringsTheImageBack)
       const vpImage<unsigned char> J = sharpened(I, amount, sigma);
       ASSERT_GT(rms(I, J, 16), 1.5);
       vpImage<unsigned char> restored;
-      undo(mask, J, cv::Rect(0, 0, side, side), restored);
+      ASSERT_TRUE(undo(mask, J, cv::Rect(0, 0, side, side), Deadline(), restored));
       EXPECT_LT(rms(I, restored, 16), 1.2) << amount << " times, " << sigma << " pixels"; // both were rounded
     }
   }
@@ -172,7 +172,7 @@ TEST(UnsharpMask, UndoingItWritesTheBoxAlone)
   mask.amount = 1.;
   mask.sigma = 1.5;
   vpImage<unsigned char> restored(side, side, 7);
-  undo(mask, I, cv::Rect(20, 30, 50, 40), restored);
+  ASSERT_TRUE(undo(mask, I, cv::Rect(20, 30, 50, 40), Deadline(), restored));
   for (unsigned int v = 0; v < side; ++v) {
     for (unsigned int u = 0; u < side; ++u) {
       const bool isInside = u >= 20 && u < 70 && v >= 30 && v < 70;
@@ -182,4 +182,15 @@ TEST(UnsharpMask, UndoingItWritesTheBoxAlone)
     }
   }
   EXPECT_NE(restored[50][45], 7);
+}
+
+TEST(UnsharpMask, UndoingItComesBackWithoutTime)
+{
+  const vpImage<unsigned char> I(side, side, 100);
+  UnsharpMask mask;
+  mask.amount = 1.;
+  mask.sigma = 1.5;
+  vpImage<unsigned char> restored(side, side, 7);
+  EXPECT_FALSE(undo(mask, I, cv::Rect(0, 0, side, side), Deadline(1e-6), restored));
+  EXPECT_EQ(restored[50][50], 7);
 }

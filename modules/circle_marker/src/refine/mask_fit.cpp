@@ -28,9 +28,6 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Grey levels from these on may have been cut off.
-constexpr double darkest = 1.;
-constexpr double brightest = 254.;
 // Where the fit of the mask starts, pixels: a sharp lens, and what most cameras do.
 constexpr double startBlur = 0.7;
 constexpr double startSigma = 1.5;
@@ -139,7 +136,7 @@ double MaskFit::residualOf(const RingSample &sample, const Vector &theta, Vector
       -contrast * sharp.byScale + theta[CONTRAST_TIMES_AMOUNT] * wide.byScale * blur * blur / (wider * wider),
       theta[CONTRAST_TIMES_AMOUNT] * wide.byScale * sigma * sigma / (wider * wider);
   const double residual = sample.grey - row.head<linear>().dot(theta.head<linear>());
-  if ((sample.grey >= brightest && residual < 0.) || (sample.grey <= darkest && residual > 0.)) {
+  if ((sample.grey >= brightestTold && residual < 0.) || (sample.grey <= darkestTold && residual > 0.)) {
     row.setZero();
     return 0.;
   }

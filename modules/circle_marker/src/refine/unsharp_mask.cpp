@@ -37,10 +37,6 @@ constexpr int pixelsOfNormal = 9;
 constexpr double shareOfWhite = 0.6;
 constexpr double insideOfPlainRing = 0.06;
 constexpr double insideOfDisc = 0.5;
-// Grey levels from these on may have been cut off.
-constexpr double darkest = 1.;
-constexpr double brightest = 254.;
-
 // Between these limits, pixels and share, a mask is one. A narrower one is a sharper lens, a wider one a veil of light.
 constexpr double leastSigma = 0.5;
 constexpr double mostSigma = 5.;
@@ -111,7 +107,7 @@ std::optional<UnsharpMask> unsharpMaskOf(const vpImage<unsigned char> &I, const 
   return isMask ? std::optional<UnsharpMask>(mask) : std::nullopt;
 }
 
-void undo(const UnsharpMask &mask, const vpImage<unsigned char> &I, const cv::Rect &box,
+bool undo(const UnsharpMask &mask, const vpImage<unsigned char> &I, const cv::Rect &box, const Deadline &deadline,
           vpImage<unsigned char> &restored)
 {
   const auto viewOf = [&box](const vpImage<unsigned char> &image) {
@@ -122,15 +118,18 @@ void undo(const UnsharpMask &mask, const vpImage<unsigned char> &I, const cv::Re
   const cv::Mat before = viewOf(I);
   cv::Mat sharpened;
   before.convertTo(sharpened, CV_32F);
-  const cv::Mat isTooBright = before >= brightest;
-  const cv::Mat isTooDark = before <= darkest;
+  const cv::Mat isTooBright = before >= brightestTold;
+  const cv::Mat isTooDark = before <= darkestTold;
   // f = (sharpened + a G f) / (1 + a), again and again: each step leaves a / (1 + a) of what is off, and less. A halo
-  // that was cut off lies on plain paper or ink.
+  // that was cut off lies on plain paper or ink; halfway between that and the least it can be is nearest to it.
   const double share = mask.amount / (1. + mask.amount);
   const int steps = static_cast<int>(std::ceil(std::log(leftOfMask) / std::log(share)));
   cv::Mat image = sharpened.clone();
   cv::Mat blurred;
   for (int step = 0; step < std::max(steps, 1); ++step) {
+    if (deadline.hasPassed()) {
+      return false;
+    }
     cv::GaussianBlur(image, blurred, cv::Size(), mask.sigma);
     cv::addWeighted(sharpened, 1. - share, blurred, share, 0., image);
     cv::Mat half;
@@ -141,6 +140,7 @@ void undo(const UnsharpMask &mask, const vpImage<unsigned char> &I, const cv::Re
   }
   cv::Mat result = viewOf(restored);
   image.convertTo(result, CV_8U);
+  return true;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

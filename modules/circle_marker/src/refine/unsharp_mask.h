@@ -32,6 +32,7 @@
 
 #include "pose/marker_plane.h"
 #include "support/camera_model.h"
+#include "support/deadline.h"
 #include "support/few.h"
 
 BEGIN_VISP_NAMESPACE
@@ -65,9 +66,11 @@ std::optional<UnsharpMask> unsharpMaskOf(const vpImage<unsigned char> &I, const 
   \param mask : What it was sharpened with.
   \param I : The image.
   \param box : The part of it that is wanted, within the image.
+  \param deadline : Asked before each of up to some twenty steps, of 5 ms for a million pixels.
   \param restored : The result, of the same size as the image; only the box of it is written.
+  \return False if there was no time.
 */
-void undo(const UnsharpMask &mask, const vpImage<unsigned char> &I, const cv::Rect &box,
+bool undo(const UnsharpMask &mask, const vpImage<unsigned char> &I, const cv::Rect &box, const Deadline &deadline,
           vpImage<unsigned char> &restored);
 } // namespace circle_marker
 END_VISP_NAMESPACE
