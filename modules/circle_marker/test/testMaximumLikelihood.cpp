@@ -99,11 +99,10 @@ TEST(MaximumLikelihood, CovarianceIsTrue)
     const double freedom = family.isCoded() ? 6. : 5.;
     double noise = 0.;
     const double mean = meanMahalanobis(family, 50., random, noise);
-    // The mean of 200 chi-square variables has the variance 2 freedom / 200; 3.5 of its standard deviations. The
-    // biweight's efficiency of 95 % is not in the covariance: up to 1 / 0.95.
+    // The mean of 200 chi-square variables has the variance 2 freedom / 200; 3.5 of its standard deviations.
     const double slack = 3.5 * std::sqrt(2. * freedom / 200.);
     EXPECT_GT(mean, freedom - slack) << family.getName();
-    EXPECT_LT(mean, freedom / 0.95 + slack) << family.getName();
+    EXPECT_LT(mean, freedom + slack) << family.getName();
     EXPECT_NEAR(noise, 2., 0.06) << family.getName();
   }
 }
@@ -125,7 +124,7 @@ TEST(MaximumLikelihood, CovarianceIsTrueOnDrawnImages)
   }
   const double slack = 3.5 * std::sqrt(12. / count);
   EXPECT_GT(sum / count, 6. - slack);
-  EXPECT_LT(sum / count, 6. / 0.95 + slack);
+  EXPECT_LT(sum / count, 6. + slack);
 }
 
 TEST(MaximumLikelihood, OccludedPixelsHaveNoWeight)
