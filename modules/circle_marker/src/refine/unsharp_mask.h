@@ -66,7 +66,7 @@ std::optional<UnsharpMask> unsharpMaskOf(const vpImage<unsigned char> &I, const 
   \param mask : What it was sharpened with.
   \param I : The image.
   \param box : The part of it that is wanted, within the image.
-  \param deadline : Asked before each of up to some twenty steps, of 5 ms for a million pixels.
+  \param deadline : Asked before each of up to some twenty steps, of 2 to 8 ms for a million pixels.
   \param restored : The result, of the same size as the image; only the box of it is written.
   \return False if there was no time.
 */
