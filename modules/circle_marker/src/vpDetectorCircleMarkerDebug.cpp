@@ -63,7 +63,7 @@ void vpDetectorCircleMarker::Impl::keepCandidates(const Visit &visit, const Outl
 {
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     std::vector<vpCircleMarkerCandidate> &candidates = m_examinations[i].candidates;
-    if (!m_examinations[i].isFound && m_chosenPlaces.hold(outlines[i].ellipse, visit.camera)) {
+    if (!m_examinations[i].isFound && m_chosenPlaces.hold(outlines[i], visit.camera)) {
       candidates = {candidateOf(outlines[i], settings.families.front(), vpCircleMarkerReject::INSIDE_OF_A_MARKER)};
     }
     else if (candidates.empty()) {

@@ -68,14 +68,14 @@ void vpDetectorCircleMarker::Impl::choose(const Visit &visit, const Outlines &ou
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     Examination &examination = m_examinations[i];
     const bool isWaiting = !examination.isOver;
-    if (isWaiting && m_chosenPlaces.hold(outlines[i].ellipse, visit.camera)) {
+    if (isWaiting && m_chosenPlaces.hold(outlines[i], visit.camera)) {
       continue;
     }
     if (isWaiting && !examination.isRead && !visit.deadline.hasPassed()) {
       read(visit, outlines[i], m_workspaces.front(), examination);
     }
     if (examination.marker) {
-      m_chosenPlaces.add(outlines[i].ellipse, *examination.marker);
+      m_chosenPlaces.add(outlines[i], *examination.marker);
     }
     if (isWaiting && examination.marker) {
       m_chosen.push_back(i);
@@ -174,17 +174,17 @@ void vpDetectorCircleMarker::Impl::readTogether(const Visit &visit, const Outlin
     for (std::size_t i = 0; i < outlines.size(); ++i) {
       const Examination &examination = m_examinations[i];
       const bool isUnread = !examination.isOver && !examination.isRead;
-      if ((!isUnread && !examination.marker) || (isUnread && m_chosenPlaces.hold(outlines[i].ellipse, visit.camera))) {
+      if ((!isUnread && !examination.marker) || (isUnread && m_chosenPlaces.hold(outlines[i], visit.camera))) {
         continue;
       }
       if (isUnread) {
         m_chosen.push_back(i);
       }
       if (examination.marker) {
-        m_chosenPlaces.add(outlines[i].ellipse, *examination.marker);
+        m_chosenPlaces.add(outlines[i], *examination.marker);
       }
       else if (!isLast) {
-        m_chosenPlaces.add(outlines[i].ellipse);
+        m_chosenPlaces.add(outlines[i]);
       }
     }
     m_workers.run(m_chosen.size(), [&](std::size_t k, unsigned int worker) {

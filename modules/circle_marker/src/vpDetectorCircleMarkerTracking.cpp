@@ -99,8 +99,7 @@ bool vpDetectorCircleMarker::Impl::searchRegions(const Visit &visit)
 /*! The outlines of the regions through the rooms after them; whether all markers that are followed are there. */
 bool vpDetectorCircleMarker::Impl::examineRegions(const Visit &visit)
 {
-  std::sort(m_regionOutlines.begin(), m_regionOutlines.end(),
-            [](const EllipseCandidate &p, const EllipseCandidate &q) { return p.ellipse.a > q.ellipse.a; });
+  std::sort(m_regionOutlines.begin(), m_regionOutlines.end(), comesBefore);
   outlineCount = static_cast<unsigned int>(m_regionOutlines.size());
   examineAll(visit, m_regionOutlines);
   keepSeen(m_regionOutlines);
@@ -127,6 +126,7 @@ bool vpDetectorCircleMarker::Impl::followOutlines(const Visit &visit, const std:
         continue; // it is in another box
       }
       EllipseCandidate &outline = m_regionOutlines.append();
+      outline.behind = HUGE_VAL;
       if (m_follower.follow(m_region, gradient, expected, sought, outline) != EllipseReject::NONE) {
         return false;
       }

@@ -53,9 +53,16 @@ Recognition markerOf(const vpCircleMarkerFamily &family, const MarkerPlane &plan
   return marker;
 }
 
+EllipseCandidate outlineOf(const EllipseParameters &ellipse)
+{
+  EllipseCandidate outline;
+  outline.ellipse = ellipse;
+  return outline;
+}
+
 // The ellipse on which a circle about the marker's centre is seen; its axes are those of the image, as it is tilted
 // about x: from its ends along them.
-EllipseParameters imageOf(const MarkerPlane &plane, double radius)
+EllipseCandidate imageOf(const MarkerPlane &plane, double radius)
 {
   const CameraModel model = camera();
   const double top = model.toPixel(plane.project(Eigen::Vector2d(0., -radius))).y();
@@ -67,15 +74,15 @@ EllipseParameters imageOf(const MarkerPlane &plane, double radius)
   const double y = plane.intersect(model.toMeter(ellipse.center)).y();
   const double x = std::sqrt(radius * radius - y * y);
   ellipse.a = model.toPixel(plane.project(Eigen::Vector2d(x, y))).x() - u0;
-  return ellipse;
+  return outlineOf(ellipse);
 }
 
-EllipseParameters circleAt(double u, double v, double radius)
+EllipseCandidate circleAt(double u, double v, double radius)
 {
   EllipseParameters circle;
   circle.center = Eigen::Vector2d(u, v);
   circle.a = circle.b = radius;
-  return circle;
+  return outlineOf(circle);
 }
 } // namespace
 
@@ -84,7 +91,7 @@ TEST(MarkerPlaces, RoomIsInTheWhite)
   // Radii in the image of a marker of 100 pixels: of the white in golay23's code 40, in a ring of 0.8 95 % of 80.
   MarkerPlaces places;
   places.reset(800, 600);
-  const EllipseParameters outline = circleAt(u0, v0, 100.);
+  const EllipseCandidate outline = circleAt(u0, v0, 100.);
   places.add(outline, markerOf(vpCircleMarkerFamily::GOLAY23, planeAt(0.)));
   EXPECT_FALSE(places.hold(circleAt(u0, v0, 39.9), camera()));
   EXPECT_TRUE(places.hold(circleAt(u0, v0, 40.1), camera()));
@@ -112,7 +119,7 @@ TEST(MarkerPlaces, RoomIsOnTheMarkersPlane)
   // In perspective circles of one centre are seen as ellipses of different centres.
   for (const double tilt : {0.3, 0.9, 1.2}) {
     const MarkerPlane plane = planeAt(tilt);
-    const EllipseParameters outline = imageOf(plane, 1.);
+    const EllipseCandidate outline = imageOf(plane, 1.);
     MarkerPlaces places;
     places.reset(800, 600);
     places.add(outline, markerOf(vpCircleMarkerFamily::GOLAY23, plane));

@@ -57,14 +57,14 @@ void MarkerPlaces::reset(int width, int height)
   m_index.reset(width, height);
 }
 
-void MarkerPlaces::add(const EllipseParameters &outline, const Recognition &marker)
+void MarkerPlaces::add(const EllipseCandidate &outline, const Recognition &marker)
 {
-  keep({outline, Eigen::Matrix2d::Zero(), roomOf(marker), marker.poses});
+  keep({outline.ellipse, outline.rank(), Eigen::Matrix2d::Zero(), roomOf(marker), marker.poses});
 }
 
-void MarkerPlaces::add(const EllipseParameters &outline)
+void MarkerPlaces::add(const EllipseCandidate &outline)
 {
-  keep({outline, Eigen::Matrix2d::Zero(), 0., PosePair()});
+  keep({outline.ellipse, outline.rank(), Eigen::Matrix2d::Zero(), 0., PosePair()});
 }
 
 void MarkerPlaces::keep(Place place)
@@ -80,11 +80,12 @@ void MarkerPlaces::keep(Place place)
   m_places.push_back(place);
 }
 
-bool MarkerPlaces::hold(const EllipseParameters &outline, const CameraModel &camera) const
+bool MarkerPlaces::hold(const EllipseCandidate &candidate, const CameraModel &camera) const
 {
+  const EllipseParameters &outline = candidate.ellipse;
   return m_index.any(outline.center.x(), outline.center.y(), 0., [&](int number) {
     const Place &place = m_places[static_cast<std::size_t>(number)];
-    if (outline.a > place.outline.a || (place.toUnit * (outline.center - place.outline.center)).norm() >= 1.) {
+    if (candidate.rank() > place.rank || (place.toUnit * (outline.center - place.outline.center)).norm() >= 1.) {
       return false;
     }
     return place.room <= 0. || (!isWithin(outline, place.poses[0], place.room, camera) &&

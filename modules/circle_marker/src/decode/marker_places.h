@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "decode/recognise.h"
-#include "ellipse/conic.h"
+#include "ellipse/ellipse_candidate.h"
 #include "pose/marker_plane.h"
 #include "support/camera_model.h"
 #include "support/cell_index.h"
@@ -40,19 +40,20 @@ public:
     \param outline : Image of its outer edge, pixels.
     \param marker : What it was read as.
   */
-  void add(const EllipseParameters &outline, const Recognition &marker);
+  void add(const EllipseCandidate &outline, const Recognition &marker);
 
   /*! Keeps the place of an outline of which nothing else is known: it has no room for another. */
-  void add(const EllipseParameters &outline);
+  void add(const EllipseCandidate &outline);
 
-  /*! Whether an outline is a piece of a marker that is at least as large: its code, or its ring again. */
-  bool hold(const EllipseParameters &outline, const CameraModel &camera) const;
+  /*! Whether an outline is a piece of a marker whose outline is of at least its rank: its code, or its ring again. */
+  bool hold(const EllipseCandidate &outline, const CameraModel &camera) const;
 
 private:
   /*! The affine map that makes a marker's outline the unit circle, and what room there is inside. */
   struct Place
   {
     EllipseParameters outline;
+    double rank = 0.; // that of the outline
     Eigen::Matrix2d toUnit;
     double room = 0.; // radius of its white, in units of the outer radius; 0 if there is no room
     PosePair poses;   // either may be the marker's

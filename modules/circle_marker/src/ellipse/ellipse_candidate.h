@@ -18,6 +18,8 @@
 #ifndef VP_CIRCLE_MARKER_ELLIPSE_CANDIDATE_H
 #define VP_CIRCLE_MARKER_ELLIPSE_CANDIDATE_H
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <Eigen/Core>
@@ -48,8 +50,18 @@ struct EllipseCandidate
   std::vector<EdgePoint> points;                   //!< Along the ellipse, at most about one a pixel.
   double support = 0.;                             //!< Share of the ellipse along which an edge was found, in [0, 1].
   double contrast = 0.;                            //!< Median step from the dark band to the outside, grey levels.
-  bool isThin = false; //!< Whether it was found as a thin ring: by its dark line, its sheet or its two ends.
+  double behind = HUGE_VAL; //!< Semi-axis a of an outline of the same edge, of more of it: it comes after that one.
+  bool isThin = false;      //!< Whether it was found as a thin ring: by its dark line, its sheet or its two ends.
+
+  /*! What has more is looked at first: its semi-axis, or that of the one it comes after. */
+  double rank() const { return std::min(ellipse.a, behind); }
 };
+
+/*! The order in which outlines are looked at: the largest first. */
+inline bool comesBefore(const EllipseCandidate &p, const EllipseCandidate &q)
+{
+  return p.rank() != q.rank() ? p.rank() > q.rank() : p.support > q.support;
+}
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -32,6 +32,11 @@ constexpr double sameOutline = 0.1;
 constexpr double sameByLine = 0.03;
 constexpr double pixelByLine = 0.75;
 
+// Share of an arc's points that lie on an outline if it is known by that.
+constexpr double shareHeld = 0.75;
+// And if both are outlines of one edge: of a sheet that is bent, whose ring's image is no ellipse, 0.8 were seen.
+constexpr double shareAlong = 0.5;
+
 double slackOf(const EllipseParameters &ellipse)
 {
   return 1. + sameOutline * ellipse.b;
@@ -105,11 +110,10 @@ bool KnownOutlines::take(EllipseCandidate &candidate)
   return isNew;
 }
 
-bool KnownOutlines::liesOn(const EllipseCandidate &known, const EdgePoint *points, std::size_t count, double scale,
-                           double shift) const
+double KnownOutlines::shareOn(const EllipseCandidate &known, const EdgePoint *points, std::size_t count,
+                              std::size_t stride, double scale, double shift) const
 {
   const double slack = 1. + fitToleranceOf(known.ellipse);
-  const std::size_t stride = 4 + count / 100; // a hundred points decide as well as all
   std::size_t on = 0;
   std::size_t asked = 0;
   for (std::size_t i = 0; i < count; i += stride) {
@@ -117,25 +121,46 @@ bool KnownOutlines::liesOn(const EllipseCandidate &known, const EdgePoint *point
     on += std::abs(sampsonDistance(known.conic, position)) < scale * slack ? 1 : 0;
     ++asked;
   }
-  return 4 * on > 3 * asked;
+  return static_cast<double>(on) / static_cast<double>(asked);
 }
 
-bool KnownOutlines::holds(const EdgePoint *points, std::size_t count, double scale, double shift,
-                          double leastSupport) const
+template <typename IsOn>
+bool KnownOutlines::anyAlong(const EdgePoint *points, std::size_t count, double scale, double shift,
+                             const IsOn &isOn) const
 {
   // An outline that holds three quarters of the points holds one of three in the middle, a quarter of the run apart,
   // but for a strange choice; outlines are looked for in the cells around each.
   for (const std::size_t i : {count / 4, count / 2, 3 * count / 4}) {
     const Eigen::Vector2d position = scale * points[i].position + Eigen::Vector2d(shift, shift);
-    const auto isOn = [&](int number) {
-      const EllipseCandidate &known = outlines[static_cast<std::size_t>(number)];
-      return known.support >= leastSupport && liesOn(known, points, count, scale, shift);
-    };
-    if (m_points.any(position.x(), position.y(), 2., isOn)) {
+    if (m_points.any(position.x(), position.y(), 2.,
+                     [&](int number) { return isOn(outlines[static_cast<std::size_t>(number)]); })) {
       return true;
     }
   }
   return false;
+}
+
+bool KnownOutlines::holds(const EdgePoint *points, std::size_t count, double scale, double shift,
+                          double leastSupport) const
+{
+  const std::size_t stride = 4 + count / 100; // a hundred points decide as well as all
+  return anyAlong(points, count, scale, shift, [&](const EllipseCandidate &known) {
+    return known.support >= leastSupport && shareOn(known, points, count, stride, scale, shift) > shareHeld;
+  });
+}
+
+const EllipseCandidate *KnownOutlines::betterAlong(const EllipseCandidate &outline) const
+{
+  const std::vector<EdgePoint> &points = outline.points;
+  const EllipseCandidate *better = nullptr;
+  anyAlong(points.data(), points.size(), 1., 0., [&](const EllipseCandidate &known) {
+    if (known.support > outline.support && (better == nullptr || known.ellipse.a > better->ellipse.a) &&
+        shareOn(known, points.data(), points.size(), 1, 1., 0.) > shareAlong) {
+      better = &known;
+    }
+    return false;
+  });
+  return better;
 }
 
 bool KnownOutlines::surrounds(const Eigen::Vector2d &point, double leastSupport, std::size_t first) const

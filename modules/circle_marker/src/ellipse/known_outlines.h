@@ -56,6 +56,13 @@ public:
   bool holds(const EdgePoint *points, std::size_t count, double scale = 1., double shift = 0.,
              double leastSupport = 0.) const;
 
+  /*!
+    The largest of the outlines along which most of the points of one of them lie, and of which a greater share is
+    found.
+    \return Nothing if there is none.
+  */
+  const EllipseCandidate *betterAlong(const EllipseCandidate &outline) const;
+
   /*! Whether a point is inside of an outline of which this share at least is found, leaving out the first ones. */
   bool surrounds(const Eigen::Vector2d &point, double leastSupport, std::size_t first = 0) const;
 
@@ -63,8 +70,10 @@ public:
 
 private:
   int find(const EllipseParameters &ellipse, bool isThin) const;
-  bool liesOn(const EllipseCandidate &known, const EdgePoint *points, std::size_t count, double scale,
-              double shift) const;
+  template <typename IsOn>
+  bool anyAlong(const EdgePoint *points, std::size_t count, double scale, double shift, const IsOn &isOn) const;
+  double shareOn(const EllipseCandidate &known, const EdgePoint *points, std::size_t count, std::size_t stride,
+                 double scale, double shift) const;
 
   CellIndex m_centers;      //!< Outlines by their centres.
   CellIndex m_points;       //!< Outlines by the points along them.

@@ -144,6 +144,18 @@ void addReduced(const Enlargement &enlarged, const SoughtCenters &sought, Worker
     }
   }
 }
+
+// Puts the outlines in order: the largest first, but what is found of an edge in part behind what is found of more of
+// it. (The ellipse of an arc of a bent sheet's ring was larger than that of all of it: read before it, it gave the
+// marker, as one of which a part is covered, at a pose that was off.)
+void rankOutlines(KnownOutlines &known)
+{
+  for (EllipseCandidate &outline : known.outlines) {
+    const EllipseCandidate *better = outline.support < wellFound ? known.betterAlong(outline) : nullptr;
+    outline.behind = better != nullptr ? better->ellipse.a : HUGE_VAL;
+  }
+  std::sort(known.outlines.begin(), known.outlines.end(), comesBefore);
+}
 } // namespace
 
 const ReusedList<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I, const SoughtCenters &sought,
@@ -167,8 +179,7 @@ const ReusedList<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I
     addReduced(Enlargement(i + 1), soughtReduced, workers, deadline, memory.reduced[i], known);
     soughtReduced.thinRing = 0.; // what is thin at a quarter is not at the full size
   }
-  std::sort(known.outlines.begin(), known.outlines.end(),
-            [](const EllipseCandidate &p, const EllipseCandidate &q) { return p.ellipse.a > q.ellipse.a; });
+  rankOutlines(known);
   return known.outlines;
 }
 } // namespace circle_marker
