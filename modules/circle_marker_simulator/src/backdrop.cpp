@@ -89,7 +89,7 @@ vpImagePoint Painter::from(const vpImagePoint &p, double direction, double dista
 
 void Painter::paint(const vpSceneOccluder &occluder)
 {
-  addLayer(layerOf(occluder), m_response, m_image, 1.,
+  addLayer(layerOf(occluder), m_response, m_image, 1., {},
            m_image); // over what is there: what is behind is the image itself
 }
 

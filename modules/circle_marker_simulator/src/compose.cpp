@@ -20,8 +20,21 @@
 BEGIN_VISP_NAMESPACE
 namespace marker_simulator {
 
+namespace {
+
+// Takes from a window what shadows take of the light on a region.
+void shade(const Outline &region, double weight, const PixelResponse &response, const std::vector<SharpShadow> &shadows,
+           CoverageWindow &window)
+{
+  for (const SharpShadow &shadow : shadows) {
+    response.add(intersect(region, shadow.darkSide), -shadow.taken * weight, window);
+  }
+}
+
+} // namespace
+
 void addLayer(const Layer &layer, const PixelResponse &response, const vpImage<float> &background, double share,
-              vpImage<float> &I)
+              const std::vector<SharpShadow> &shadows, vpImage<float> &I)
 {
   const unsigned int width = I.getWidth();
   const unsigned int height = I.getHeight();
@@ -30,10 +43,12 @@ void addLayer(const Layer &layer, const PixelResponse &response, const vpImage<f
     return;
   }
   response.add(layer.body, 1., body);
+  shade(layer.body, 1., response, shadows, body);
   body.integrateRows();
   CoverageWindow print(boundingBox(layer.body), response.reach(), width, height);
   for (const Patch &patch : layer.patches) {
     response.add(patch.outline, patch.change, print);
+    shade(patch.outline, patch.change, response, shadows, print);
   }
   print.integrateRows();
   for (int i = 0; i < body.height(); ++i) {

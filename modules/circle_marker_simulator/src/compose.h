@@ -22,6 +22,7 @@
 
 #include "layers.h"
 #include "pixel_response.h"
+#include "shade.h"
 
 BEGIN_VISP_NAMESPACE
 namespace marker_simulator {
@@ -33,10 +34,11 @@ namespace marker_simulator {
   \param response : blur and pixel.
   \param background : grey levels behind the layers. It may be `I` itself: each pixel is read before it is changed.
   \param share : part of the exposure for which the layer is there, 0 to 1.
+  \param shadows : that fall on all. \e I has them, \e background has not.
   \param[in,out] I : background plus the changes so far.
 */
 void addLayer(const Layer &layer, const PixelResponse &response, const vpImage<float> &background, double share,
-              vpImage<float> &I);
+              const std::vector<SharpShadow> &shadows, vpImage<float> &I);
 
 } // namespace marker_simulator
 END_VISP_NAMESPACE

@@ -27,18 +27,6 @@ namespace marker_simulator {
 namespace {
 
 constexpr float WHITE_LEVEL = 255.f;
-// Beyond this many standard deviations a shadow's edge is over (1e-9).
-constexpr double PENUMBRA_REACH = 6.;
-
-double shadowAt(const vpSceneShadow &shadow, double u, double v)
-{
-  const double d =
-      (u - shadow.edge.get_u()) * std::cos(shadow.direction) + (v - shadow.edge.get_v()) * std::sin(shadow.direction);
-  const double reach = PENUMBRA_REACH * shadow.penumbra;
-  const double dark = d <= -reach ? 0. : d >= reach ? 1. : 0.5 * std::erfc(-d / (shadow.penumbra * M_SQRT2));
-  return 1. - (1. - shadow.factor) * dark;
-}
-
 unsigned char toByte(float grey)
 {
   return static_cast<unsigned char>(std::min(std::max(grey + 0.5f, 0.f), WHITE_LEVEL));
@@ -48,7 +36,7 @@ unsigned char toByte(float grey)
 
 void illuminate(const vpScenePhotometry &photometry, vpImage<float> &I)
 {
-  if (photometry.gradientU == 0. && photometry.gradientV == 0. && !photometry.shadow) {
+  if (photometry.gradientU == 0. && photometry.gradientV == 0.) {
     return;
   }
   const double width = I.getWidth();
@@ -57,10 +45,8 @@ void illuminate(const vpScenePhotometry &photometry, vpImage<float> &I)
   const double centerV = photometry.lightCenter ? photometry.lightCenter->get_v() : 0.5 * (height - 1.);
   for (unsigned int i = 0; i < I.getHeight(); ++i) {
     for (unsigned int j = 0; j < I.getWidth(); ++j) {
-      double light = 1. + photometry.gradientU * (j - centerU) / width + photometry.gradientV * (i - centerV) / height;
-      if (photometry.shadow) {
-        light *= shadowAt(*photometry.shadow, j, i);
-      }
+      const double light =
+          1. + photometry.gradientU * (j - centerU) / width + photometry.gradientV * (i - centerV) / height;
       I[i][j] = static_cast<float>(std::max(light, 0.) * I[i][j]);
     }
   }

@@ -27,7 +27,7 @@
 BEGIN_VISP_NAMESPACE
 namespace marker_simulator {
 
-//! Multiplies each pixel with the light that falls there (see vpScenePhotometry).
+//! Multiplies each pixel with the light that falls there, but for shadows (see vpScenePhotometry).
 void illuminate(const vpScenePhotometry &photometry, vpImage<float> &I);
 
 //! Applies the sensor's gamma; does nothing for 1.

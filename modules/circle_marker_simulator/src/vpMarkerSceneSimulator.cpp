@@ -42,6 +42,8 @@ namespace {
 constexpr double MOTION_STEP = 0.25;
 // Most instants when their number is left to the simulator; 64 pixels of motion blur.
 constexpr int MOST_MOTION_STEPS = 256;
+// Standard deviation of a pixel's square, along either side, in pixels.
+const double PIXEL_BLUR = 1. / std::sqrt(12.);
 // Background before another one is asked for: darker than paper and brighter than ink.
 constexpr double PLAIN_BACKGROUND = 110.;
 
@@ -213,6 +215,12 @@ void vpMarkerSceneSimulator::renderNoiseFree(vpImage<float> &I) const
 {
   const Lens lens(m_cam);
   I = m_backgroundImage;
+  std::vector<SharpShadow> shadows;
+  if (m_photometry.shadow) {
+    const double blur = std::hypot(m_photometry.blurSigma, PIXEL_BLUR);
+    castShadow(*m_photometry.shadow, blur, I);
+    shadows = sharpShadows(*m_photometry.shadow, blur);
+  }
   const int steps = motionSteps(m_motion, m_markers, lens);
   for (int step = 0; step < steps; ++step) {
     const double instant = (step + 0.5) / steps - 0.5;
@@ -228,7 +236,7 @@ void vpMarkerSceneSimulator::renderNoiseFree(vpImage<float> &I) const
     }
     hideCoveredParts(layers);
     for (const Layer &layer : layers) {
-      addLayer(layer, *m_response, m_backgroundImage, 1. / steps, I);
+      addLayer(layer, *m_response, m_backgroundImage, 1. / steps, shadows, I);
     }
   }
   illuminate(m_photometry, I);

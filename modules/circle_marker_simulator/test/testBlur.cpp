@@ -102,9 +102,13 @@ TEST(Blur, EdgeHasTheProfileOfADefocusDisc)
   }
 }
 
-TEST(Blur, MarkerIsTheBlurredFinerImage)
+namespace {
+
+// A marker with something in front without blur in an image 16 times as fine, in the light `lightAt` (u, v, pixels of
+// the coarse image), blurred there, and summed up over the pixels; and what the simulator makes of it.
+void expectAsBlurredFinerImage(const std::optional<vpSceneShadow> &shadow,
+                               const std::function<double(double, double)> &lightAt, double tolerance)
 {
-  // The same marker without blur in an image 16 times as fine, blurred there, and summed up over the pixels.
   constexpr int fine = 16;
   constexpr int size = 48;
   constexpr double sigma = 0.7;
@@ -116,6 +120,9 @@ TEST(Blur, MarkerIsTheBlurredFinerImage)
     vpMarkerSceneSimulator simulator(cam, size * scale, size * scale);
     vpScenePhotometry photometry = idealSensor();
     photometry.blurSigma = blur;
+    if (scale == 1) {
+      photometry.shadow = shadow;
+    }
     simulator.setPhotometry(photometry);
     simulator.addMarker(vpSimulatedMarker::circle("golay23", 5, 0.16).setPose(cMo));
     const auto finer = [scale](double c) { return (c + 0.5) * scale - 0.5; }; // the same place in the finer image
@@ -126,7 +133,12 @@ TEST(Blur, MarkerIsTheBlurredFinerImage)
     return I;
   };
   const vpImage<float> coarse = image(1, sigma);
-  const vpImage<float> exact = image(fine, 0.);
+  vpImage<float> exact = image(fine, 0.);
+  for (unsigned int i = 0; i < exact.getHeight(); ++i) {
+    for (unsigned int j = 0; j < exact.getWidth(); ++j) {
+      exact[i][j] *= static_cast<float>(lightAt((j + 0.5) / fine - 0.5, (i + 0.5) / fine - 0.5));
+    }
+  }
   // Along either axis: Gaussian over the fine pixels, then their sum over a pixel. The fine pixels' squares are no blur
   // of their own: side by side they make up the pixel's square.
   const double fineSigma = fine * sigma;
@@ -151,8 +163,30 @@ TEST(Blur, MarkerIsTheBlurredFinerImage)
         }
         expected += response[a] * row;
       }
-      ASSERT_NEAR(coarse[i][j], expected, 0.02) << "pixel (" << j << ", " << i << ")";
+      ASSERT_NEAR(coarse[i][j], expected, tolerance) << "pixel (" << j << ", " << i << ")";
     }
+  }
+}
+
+} // namespace
+
+TEST(Blur, MarkerIsTheBlurredFinerImage)
+{
+  expectAsBlurredFinerImage(
+      std::nullopt, [](double, double) { return 1.; }, 0.02);
+}
+
+// Light falls on the print before the lens blurs both.
+TEST(Blur, ShadowIsBlurredWithThePrint)
+{
+  for (const double penumbra : {0., 0.5, 2.}) {
+    const vpSceneShadow shadow = {vpImagePoint(22., 25.), 0.7, 0.4, penumbra};
+    const auto lightAt = [&](double u, double v) {
+      const double beyond = (u - 25.) * std::cos(0.7) + (v - 22.) * std::sin(0.7);
+      return penumbra > 0. ? 1. - 0.6 * 0.5 * std::erfc(-beyond / (penumbra * M_SQRT2)) : beyond > 0. ? 0.4 : 1.;
+    };
+    // The finer image has one light in each of its pixels: along an edge of the print it changes within them.
+    expectAsBlurredFinerImage(shadow, lightAt, penumbra > 0. ? 0.1 : 1.);
   }
 }
 

@@ -37,8 +37,10 @@ BEGIN_VISP_NAMESPACE
   \ingroup group_circle_marker_simulator
   \brief A shadow with a straight edge: the light is multiplied by \e factor on one side of it.
 
-  With d = (u - u_e) cos(direction) + (v - v_e) sin(direction), in pixels, the light is multiplied by
-  1 - (1 - factor) Phi(d / penumbra), Phi being the normal distribution function.
+  It falls on sheets and occluders before the lens blurs their image: where it crosses an edge of the print, the product
+  of both is blurred. Of the background it multiplies each pixel. With d = (u - u_e) cos(direction) + (v - v_e)
+  sin(direction), in pixels, the light is multiplied by 1 - (1 - factor) Phi(d / penumbra), Phi being the normal
+  distribution function.
 */
 struct vpSceneShadow
 {
@@ -53,10 +55,11 @@ struct vpSceneShadow
   \ingroup group_circle_marker_simulator
   \brief What turns a scene's geometry into grey levels, in the order in which a camera does it.
 
-  1. Reflectance: paper, ink, background and occluders, as the grey level each would give under the reference light.
+  1. Reflectance: paper, ink, background and occluders, as the grey level each would give under the reference light, and
+     the shadow that falls on them.
   2. Motion during the exposure, blur of the lens (Gaussian and defocus disc), integration over the square pixels.
   3. Light, at the pixel's centre: L(u, v) = 1 + gradientU (u - u_c) / width + gradientV (v - v_c) / height,
-     where (u_c, v_c) is \e lightCenter or else the image's centre; then the shadow.
+     where (u_c, v_c) is \e lightCenter or else the image's centre.
   4. Gamma: grey = 255 (grey / 255)^gamma, after clamping to 0 ... 255; 1 is a linear sensor.
   5. Noise, independent in each pixel, then rounding and clamping to 8 bits.
   6. The loss of JPEG compression.
