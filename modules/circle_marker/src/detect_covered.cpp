@@ -59,6 +59,9 @@ constexpr double leastSupportOfWhole = 0.9;
 // verdict, and another reading is asked.
 constexpr double leastInliersOfWhole = 0.8;
 
+// A shadow that leaves more of the light than this is none: that of a fit that wanted none has ended so.
+constexpr double mostOfShadow = 0.95;
+
 // Of a ring that nothing covers this share is seen: here and there noise hides a direction.
 constexpr double wholeRing = 0.97;
 
@@ -78,7 +81,7 @@ struct Doubts
   bool isFaint = false;       // it correlates by less than a print does but for noise
   bool isPartMissing = false; // of the outline
   bool isPartLeftOut = false; // of the pixels, which are not what the model makes them
-  bool isShaded = false;      // the edge of a shadow is not modelled well enough to say much by what is left
+  bool isShaded = false;      // the edge of a shadow is on it: the track's pixels there say less
   double contrast = 0.;       // grey levels
 
   bool isPartLeftOutOnly() const { return isPartLeftOut && !isCorrected && !isNoisy && !isPartMissing; }
@@ -93,14 +96,15 @@ Doubts doubtsOf(double noise, double support, const Recognition &marker, const F
   doubts.isFaint = fit.correlation < correlationOfPrint;
   doubts.isPartMissing = isPartMissing(support);
   doubts.isPartLeftOut = fit.inliers < leastInliersOfWhole;
-  doubts.isShaded = fit.photometry.shadow.has_value();
+  doubts.isShaded = fit.photometry.shadow && fit.photometry.shadow->factor < mostOfShadow;
   return doubts;
 }
 
 // What the fit alone says; nothing if the pixels have to be asked.
 std::optional<WholeVerdict> verdictByFit(const Doubts &doubts, double noise, const FittedPose &fit)
 {
-  if (doubts.isShaded && !doubts.isCorrected) {
+  // What shadows leave of the code is not asked if the fit explains it.
+  if (doubts.isShaded && !doubts.isCorrected && !doubts.isNoisy && !doubts.isPartLeftOut) {
     return WholeVerdict::RIGHT;
   }
   // A faint print leaves noise alone. One that leaves far more may be covered, which its pixels tell.

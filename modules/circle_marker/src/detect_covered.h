@@ -63,11 +63,11 @@ enum class WholeVerdict
 };
 
 /*!
-  Whether the image shows what a codeword says that was read with corrections, or a part of whose outline is missing, or
-  of which the fit leaves more than noise or leaves out too many pixels (without corrections under a shadow this is not
-  asked): at the measured pose, most pixels of the code track have the grey level that it gives them. What each of them
-  may be off grows with their noise, up to where they tell nothing; of markers too small for a pixel to show one sector
-  alone no more is asked.
+  Whether the image shows what a codeword says that was read with corrections, or a part of whose outline is missing,
+  or of which the fit leaves more than noise or leaves out too many pixels (without corrections this is not asked
+  under a shadow that the fit explains): at the measured pose, most pixels of the code track have the grey level that
+  it gives them. What each of them may be off grows with their noise, up to where they tell nothing; of markers too
+  small for a pixel to show one sector alone no more is asked.
   \param I : The image.
   \param camera : Its camera.
   \param noise : Standard deviation of the image's noise, grey levels.

@@ -167,6 +167,42 @@ TEST(CodeLikelihood, ALittleOverExposureHidesNothing)
   }
 }
 
+// The light that a shadow leaves is known: codes are read across its edge as elsewhere.
+TEST(CodeLikelihood, AcrossTheEdgeOfAShadow)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  for (int i = 0; i < 20; ++i) {
+    const int id = static_cast<int>(random() % family.getNbIds());
+    const MarkerScene scene =
+        markerScene(random, family, id, uniform(random, 16., 30.), uniform(random, 0., 0.8), side);
+    const ImageFrame frame = scene.frame();
+    FittedPose fit = fitOf(scene, 0.);
+    Shadow shadow;
+    shadow.factor = uniform(random, 0.3, 0.7);
+    shadow.direction = uniform(random, -M_PI, M_PI);
+    shadow.edge = uniform(random, -0.3, 0.3);
+    const double softness = 1. / frame.size;
+    shadow.softness = std::hypot(1., blur) / frame.size; // in the picture
+    const auto shaded = [&](double u, double v) {
+      const double beyond = (u - frame.center.x()) / frame.size * std::cos(shadow.direction) +
+                            (v - frame.center.y()) / frame.size * std::sin(shadow.direction) - shadow.edge;
+      return scene(u, v) * (1. - (1. - shadow.factor) * 0.5 * std::erfc(-beyond / softness * M_SQRT1_2));
+    };
+    const vpImage<unsigned char> I = digitise(expose(side, side, blur, shaded), noise, random);
+    CodeImage track;
+    const CameraModel camera(scene.camera());
+    const auto inEvenLight = mostLikelyCode(I, camera, fit, frame, family, track);
+    fit.photometry.shadow = shadow;
+    const auto code = mostLikelyCode(I, camera, fit, frame, family, track);
+    ASSERT_TRUE(code && inEvenLight);
+    EXPECT_EQ(code->best.id, id) << "factor " << shadow.factor << " edge " << shadow.edge;
+    EXPECT_GT(code->odds, 15.) << "factor " << shadow.factor << " edge " << shadow.edge;
+    EXPECT_LT(code->unexplained, 1.3) << "factor " << shadow.factor << " edge " << shadow.edge;
+    EXPECT_TRUE(inEvenLight->best.id != id || inEvenLight->unexplained > 2. * code->unexplained) << "without it";
+  }
+}
+
 TEST(CodeLikelihood, NoneWhereTheModelDoesNotHold)
 {
   Random random = randomOfTest();
@@ -176,9 +212,6 @@ TEST(CodeLikelihood, NoneWhereTheModelDoesNotHold)
   CodeImage track;
   FittedPose fit = fitOf(scene, 0.);
   ASSERT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track));
-  fit.photometry.shadow = Shadow();
-  EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track)) << "under a shadow";
-  fit = fitOf(scene, 0.);
   fit.photometry.light = 400.;
   EXPECT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track)) << "no pixel is as bright as that";
   vpImage<unsigned char> tooBright = I;

@@ -124,6 +124,54 @@ INSTANTIATE_TEST_SUITE_P(All, FitterWith, testing::Values(Instructions::WIDE, In
                            return info.param == Instructions::WIDE ? "Avx2" : "Avx512";
                          });
 
+// What a fit makes of each pixel is what an image without noise shows.
+TEST(Fitter, ExplainsThePixels)
+{
+  for (const Instructions instructions : {Instructions::PLAIN, Instructions::WIDE, Instructions::WIDEST}) {
+    const std::unique_ptr<Fitter> fitter = makeFitter(instructions);
+    if (!fitter) {
+      continue;
+    }
+    Random random = randomOfTest();
+    const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+    const MarkerScene scene = markerScene(random, family, 5, 60., 0.6, side);
+    const vpImage<double> exact = expose(side, side, 0.7, scene);
+    const vpImage<unsigned char> I = digitise(exact, 2., random);
+    const MarkerPattern pattern = patternOf(family, 5, family.getLayout().ringInner);
+    const MarkerPlane plane = scene.plane();
+    std::vector<FitPixel> pixels;
+    fitter->selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, BlurParameters(), 20000.,
+                         pixels);
+    const auto fit = fitter->fitPose(pixels, {plane, std::nullopt, std::nullopt}, pattern, FitSettings());
+    ASSERT_TRUE(fit);
+    std::vector<ExplainedPixel> explained;
+    fitter->explainPixels(pixels, *fit, pattern, explained);
+    double counted = 0.;
+    double full = 0.;
+    double squares = 0.;
+    for (const ExplainedPixel &pixel : explained) {
+      if (pixel.weight <= 0.f) { // fills a block of lanes
+        continue;
+      }
+      ++counted;
+      const Eigen::Vector2d place = scene.frame().center + scene.frame().size * pixel.offset.cast<double>();
+      const auto u = static_cast<unsigned int>(std::lround(place.x()));
+      const auto v = static_cast<unsigned int>(std::lround(place.y()));
+      EXPECT_EQ(pixel.grey, I[v][u]);
+      EXPECT_GT(pixel.darkness, -0.05);
+      EXPECT_LT(pixel.darkness, 1.05);
+      if (pixel.weight > 0.99f) {
+        ++full;
+        squares += std::pow(pixel.fitted - exact[v][u], 2.);
+        EXPECT_NEAR(pixel.darkness, (scene.white - exact[v][u]) / (scene.white - scene.black), 0.1);
+      }
+    }
+    EXPECT_EQ(counted, static_cast<double>(pixels.size()));
+    EXPECT_GT(full, 0.5 * counted);
+    EXPECT_LT(std::sqrt(squares / full), 1.) << "grey levels: half of the noise";
+  }
+}
+
 TEST(Fitter, TakesTheWidestInstructions)
 {
   const std::unique_ptr<Fitter> fitter = makeFitter();

@@ -74,6 +74,15 @@ TEST(Photometry, GreyLevelsAreTheLightToThePowerOfGamma)
   EXPECT_NEAR(photometry.contrast(), 1. - 0.0625, 1e-12);
   EXPECT_NEAR(photometry.whiteAt(Eigen::Vector2d(0.5, 3.)), 200. * 1.5625, 1e-9);
   EXPECT_NEAR(photometry.blackOf(0.625 * 0.625), 0.5, 1e-12);
+  // Where a shadow's edge passes, softly, half of the light that it takes is gone; far on either side all or nothing.
+  photometry.shadow = Shadow{0.4, 0.5 * M_PI, 1., 0.1}; // dark toward larger v
+  const double slope = 1.25;                            // of the light at u = 1/2, besides the shadow
+  EXPECT_NEAR(photometry.whiteAt(Eigen::Vector2d(0.5, 3.)), 200. * std::pow(slope * 0.4, 2.), 1e-9);
+  EXPECT_NEAR(photometry.whiteAt(Eigen::Vector2d(0.5, 1.)), 200. * std::pow(slope * 0.7, 2.), 1e-9);
+  EXPECT_NEAR(photometry.whiteAt(Eigen::Vector2d(0.5, -1.)), 200. * std::pow(slope, 2.), 1e-9);
+  // One standard deviation before the edge 15.87 % of what it takes is gone.
+  EXPECT_NEAR(photometry.shadow->leavesAt(Eigen::Vector2d(0., 0.9)), 1. - 0.6 * 0.158655, 1e-6);
+  photometry.shadow.reset();
   // Ink that takes more light than there is, as noise may have it.
   photometry.absorption = 1.02;
   EXPECT_EQ(photometry.contrast(), 1.02);

@@ -77,6 +77,15 @@ public:
     return fit.squares;
   }
 
+  void explainPixels(const std::vector<circle_marker::FitPixel> &, const circle_marker::FittedPose &,
+                     const circle_marker::MarkerPattern &,
+                     std::vector<circle_marker::ExplainedPixel> &explained) override
+  {
+    explained = explains;
+  }
+
+  std::vector<circle_marker::ExplainedPixel> explains; //!< What pixels show, if it is asked how a fit explains them.
+
   std::vector<Asked> asked;
   std::vector<Judged> judged;
 

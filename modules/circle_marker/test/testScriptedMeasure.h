@@ -75,7 +75,7 @@ using Alter = std::function<void(FittedPose &, const ScriptedFitter::Asked &)>;
 
 //! A marker whose fits end where they start, the other pose oddsOfTwin behind, and are then altered.
 inline Outcome outcomeOf(const MarkerScene &scene, const Recognition &marker, bool refine, const Alter &alter,
-                         const Deadline &deadline = Deadline())
+                         const Deadline &deadline = Deadline(), const std::vector<ExplainedPixel> &explains = {})
 {
   auto scripted = std::make_unique<ScriptedFitter>([&](const ScriptedFitter::Asked &asked) {
     FittedPose fit = fitAt(asked.start);
@@ -84,6 +84,7 @@ inline Outcome outcomeOf(const MarkerScene &scene, const Recognition &marker, bo
     alter(fit, asked);
     return std::optional<FittedPose>(fit);
   });
+  scripted->explains = explains;
   const ScriptedFitter &fitter = *scripted;
   MeasureMemory memory;
   memory.fitter = std::move(scripted);

@@ -198,9 +198,6 @@ private:
 bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit,
                 const ImageFrame &frame, const vpCircleMarkerLayout &layout, int sectors, CodeImage &track)
 {
-  if (fit.photometry.shadow) {
-    return false;
-  }
   constexpr int directions = 16;
   const auto [least, most] = boundsOfCircle(fit.plane, camera, layout.codeOuter, directions);
   const double margin = around * fit.photometry.blur.widest() + 1.;

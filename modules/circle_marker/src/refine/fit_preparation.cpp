@@ -29,8 +29,8 @@ namespace {
 constexpr double sortAgain = 0.5;
 // Or when the blur has become wider by this factor.
 constexpr double widerAgain = 1.2;
-// The correction of strong bends is made again when pose or blur have changed by more than this, pixels: it has changed
-// by no more than a few hundredths of itself by then.
+// The correction of edges that bend strongly or lie under a shadow's edge is made again when pose, blur or shadow have
+// changed by more than this, pixels: it has changed by no more than a few hundredths of itself by then.
 constexpr double correctAgain = 0.1;
 // The surround is judged again at the end if it is by this factor more or less even than was thought.
 constexpr double unevenAgain = 1.4;
@@ -65,10 +65,11 @@ void FitPreparation::prepare(const MarkerPlane &plane, const Photometry &photome
   if (m_sortedBlur == 0. || !m_memory.blocks.surrounds.empty() || motion(m_sorted, plane) > 0. || isWider(photometry)) {
     sort(plane, photometry, noise);
   }
-  if (!m_isCorrected || hasOtherBends(plane, photometry.blur)) {
+  if (!m_isCorrected || hasOtherEdges(plane, photometry)) {
     m_isBent = m_fit.correct(plane, photometry);
     m_corrected = plane;
     m_correctedBlur = photometry.blur.sigma;
+    m_correctedShadow = photometry.shadow.value_or(Shadow());
     m_isCorrected = true;
   }
   m_judged = photometry;
@@ -84,7 +85,7 @@ bool FitPreparation::isStale(const MarkerPlane &plane, const Photometry &photome
 bool FitPreparation::isRough(const MarkerPlane &plane, const Photometry &photometry) const
 {
   const double uneven = photometry.unevenShare / m_judged.unevenShare;
-  return (m_isBent && hasOtherBends(plane, photometry.blur)) ||
+  return (m_isBent && hasOtherEdges(plane, photometry)) ||
          (!m_memory.blocks.surrounds.empty() && std::max(uneven, 1. / uneven) > unevenAgain);
 }
 
@@ -93,9 +94,15 @@ double FitPreparation::motion(const MarkerPlane &from, const MarkerPlane &to) co
   return outlineMotion(from, to) / m_memory.blocks.reference.unit;
 }
 
-bool FitPreparation::hasOtherBends(const MarkerPlane &plane, const BlurParameters &blur) const
+bool FitPreparation::hasOtherEdges(const MarkerPlane &plane, const Photometry &photometry) const
 {
-  return motion(m_corrected, plane) > correctAgain || std::abs(blur.sigma - m_correctedBlur) > correctAgain;
+  if (motion(m_corrected, plane) > correctAgain || std::abs(photometry.blur.sigma - m_correctedBlur) > correctAgain) {
+    return true;
+  }
+  const Shadow &before = m_correctedShadow;
+  const Shadow now = photometry.shadow.value_or(before);
+  const double moved = std::abs(now.edge - before.edge) + std::abs(now.direction - before.direction);
+  return now.frameSize * (moved + std::abs(now.softness - before.softness)) > correctAgain;
 }
 
 bool FitPreparation::isWider(const Photometry &photometry) const

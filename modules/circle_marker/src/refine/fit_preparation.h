@@ -55,7 +55,7 @@ public:
 private:
   double motion(const MarkerPlane &from, const MarkerPlane &to) const; // pixels
   bool isWider(const Photometry &photometry) const;
-  bool hasOtherBends(const MarkerPlane &plane, const BlurParameters &blur) const; // than those that were corrected
+  bool hasOtherEdges(const MarkerPlane &plane, const Photometry &photometry) const; // than those that were corrected
 
   const std::vector<FitPixel> &m_pixels; //!< What is explained.
   const double m_sortAgain;              //!< Motion of the outline from which on pixels may see other edges, pixels.
@@ -64,10 +64,11 @@ private:
   bool m_hasPixels;                      //!< Whether those in the memory are these.
   MarkerPlane m_sorted;                  //!< Where they were sorted.
   double m_sortedBlur = 0.;              //!< With which blur, pixels; 0 before.
-  bool m_isCorrected = false;            //!< Whether bends are corrected as the pixels are sorted.
+  bool m_isCorrected = false;            //!< Whether edges are corrected as the pixels are sorted.
   MarkerPlane m_corrected;               //!< Where.
   double m_correctedBlur = 0.;           //!< For which blur, pixels.
-  bool m_isBent = false;                 //!< Whether edges bend strongly there.
+  Shadow m_correctedShadow;              //!< And which shadow, if there is one.
+  bool m_isBent = false;                 //!< Whether any is.
   Photometry m_judged;                   //!< The light in which the surround was judged.
 };
 } // namespace CIRCLE_MARKER_LANES

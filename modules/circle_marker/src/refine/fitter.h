@@ -29,6 +29,7 @@
 
 #include "refine/fit_pixel.h"
 #include "refine/fitted_pose.h"
+#include "refine/shadow_split.h"
 #include "support/camera_model.h"
 
 #include <visp3/core/vpImage.h>
@@ -56,6 +57,10 @@ public:
   /*! See circle_marker::robustSquares(). */
   virtual double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
                                const Photometry &surround, double noise, bool exactBends) = 0;
+
+  /*! See circle_marker::explainPixels(). */
+  virtual void explainPixels(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
+                             std::vector<ExplainedPixel> &explained) = 0;
 };
 
 /*! Instructions that code on lanes is compiled for. */

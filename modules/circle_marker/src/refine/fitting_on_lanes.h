@@ -34,3 +34,4 @@
 #include "refine/pixel_blocks.cpp"
 #include "refine/plane_lanes.cpp"
 #include "refine/residuals.cpp"
+#include "refine/shaded_edges.cpp"

@@ -40,6 +40,12 @@ public:
     return CIRCLE_MARKER_LANES::robustSquares(pixels, fit, pattern, surround, noise, exactBends, m_memory);
   }
 
+  void explainPixels(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
+                     std::vector<ExplainedPixel> &explained) override
+  {
+    CIRCLE_MARKER_LANES::explainPixels(pixels, fit, pattern, m_memory, explained);
+  }
+
 private:
   FitMemory m_memory;
 };

@@ -26,6 +26,7 @@
 #include "refine/grey_model.h"
 #include "refine/line_model.h"
 #include "refine/light_equations.h"
+#include "refine/shaded_edges.h"
 #include "refine/sums.h"
 
 BEGIN_VISP_NAMESPACE
@@ -115,7 +116,11 @@ bool Likelihood::keepPixels(const std::vector<FitPixel> &pixels, const MarkerPla
 
 bool Likelihood::correct(const MarkerPlane &plane, const Photometry &photometry)
 {
-  return m_settings.exactBends && correctBends(plane, m_pattern, photometry.blur, m_memory.blocks);
+  if (!m_settings.exactBends) {
+    return false;
+  }
+  const bool isBent = correctBends(plane, m_pattern, photometry.blur, m_memory.blocks);
+  return correctShadedEdges(plane, m_pattern, photometry, m_memory.blocks) || isBent;
 }
 
 void Likelihood::keepResiduals()

@@ -24,6 +24,7 @@
 #include "refine/fit_preparation.h"
 #include "refine/fit_progress.h"
 #include "refine/fit_step.h"
+#include "refine/grey_model.h"
 #include "refine/likelihood.h"
 
 BEGIN_VISP_NAMESPACE
@@ -288,6 +289,30 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
   likelihood.correct(fit.plane, fit.photometry);
   likelihood.evaluate(fit.plane, fit.photometry);
   return likelihood.costOfResiduals(fit.plane, fit.photometry, noise);
+}
+
+void explainPixels(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
+                   FitMemory &memory, std::vector<ExplainedPixel> &explained)
+{
+  FitSettings settings;
+  settings.exactBends = false;
+  Likelihood likelihood(pattern, settings, memory);
+  if (!likelihood.keepPixels(pixels, fit.plane, fit.photometry, fit.noise, 0.)) {
+    likelihood.setPixels(pixels, fit.plane, fit.photometry, fit.noise);
+  }
+  explained.clear();
+  const float variance = static_cast<float>(fit.noise * fit.noise);
+  const ImageModel model(fit.plane, pattern, fit.photometry.blur, memory.blocks);
+  Lanes darkness;
+  forEachBlock(memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
+    model.evaluate(block, sight, darkness);
+    const Lanes fitted = block.grey - greyOf(block, memory.blocks.surroundOf(block), fit.photometry, darkness).residual;
+    const Lanes weight = holdsPixel(block) * variance / (variance + block.variance);
+    for (int lane = 0; lane < laneCount; ++lane) {
+      explained.push_back({Eigen::Vector2f(block.offsetU[lane], block.offsetV[lane]), block.grey[lane], fitted[lane],
+                           darkness[lane], weight[lane]});
+    }
+  });
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

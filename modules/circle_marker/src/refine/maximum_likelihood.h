@@ -40,6 +40,7 @@
 
 #include "refine/fitted_pose.h"
 #include "refine/pixel_blocks.h"
+#include "refine/shadow_split.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -111,6 +112,17 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
 */
 double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
                      const Photometry &surround, double noise, bool exactBends, FitMemory &memory);
+
+/*!
+  The pixels, in any order, as a fit explains them. They must be those of the last fit, as for robustSquares().
+  \param pixels : The pixels.
+  \param fit : The fit, without a shadow.
+  \param pattern : The print.
+  \param memory : Working memory.
+  \param explained : The result; its memory is used again.
+*/
+void explainPixels(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
+                   FitMemory &memory, std::vector<ExplainedPixel> &explained);
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

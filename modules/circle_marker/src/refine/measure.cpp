@@ -66,6 +66,17 @@ constexpr double mostNearer = 1.5;
 // fit that was stuck made the right pose of some markers of 16 pixels hopeless.
 constexpr double leastHopelessSize = 20.;
 
+// A fit that leaves more than this share of the contrast unexplained may have missed the edge of a shadow: of small
+// oblique markers the quiet zone is too narrow to show it. One with the shadow leaves at most this share of that.
+constexpr double muchUnexplained = 0.02;
+constexpr double mostLeftWithShadow = 0.8;
+
+// What a fit leaves, grey levels: of pixels that it counts as outliers the more the fewer it explains.
+double unexplainedBy(const FittedPose &fit)
+{
+  return fit.noise / std::max(fit.inliers, 1e-3);
+}
+
 // Whether a ring has the design's ratio of radii, whatever the first look at it said: it fits, and black is not larger
 // or smaller than printers and cameras make it.
 bool isRightRing(const RankedFits &ranked)
@@ -73,12 +84,45 @@ bool isRightRing(const RankedFits &ranked)
   return !ranked.fits.empty() && ranked.fits[0].correlation >= leastCorrelationWithoutCode &&
          std::abs(std::log(ranked.fits[0].photometry.gamma)) < mostLogGamma;
 }
+// The same with the shadow that a fit without one shows, if it explains the image better: then the settings have it.
+RankedFits withShadow(const MarkerInImage &view, const MarkerPattern &pattern, const RankedFits &few,
+                      FitSettings &settings, MeasureMemory &memory)
+{
+  const FittedPose &plain = few.fits[0];
+  memory.fitter->explainPixels(memory.pixels, plain, pattern, memory.explained);
+  FitSettings shaded = settings;
+  shaded.shadow = shadowBySplit(memory.explained, view.frame.size);
+  if (!shaded.shadow) {
+    return few;
+  }
+  const RankedFits again = fitFewPixels(view, pattern, true, shaded, memory.pixels, *memory.fitter);
+  if (again.fits.empty() || unexplainedBy(again.fits[0]) > mostLeftWithShadow * unexplainedBy(plain)) {
+    return few;
+  }
+  settings.shadow = shaded.shadow;
+  return again;
+}
+
+// Whether a coarse fit of a marker without a shadow leaves so much that it may have one; of rings without a code, whose
+// shape alone proves them, this is not asked, nor of covered markers: what covers them looks like the edge of a shadow.
+bool mayHaveShadow(const Recognition &marker, const MarkerPattern &pattern, const RankedFits &few)
+{
+  if (marker.seen || pattern.sectors == 0 || few.fits.empty()) {
+    return false;
+  }
+  const Photometry &photometry = few.fits[0].photometry;
+  return unexplainedBy(few.fits[0]) > muchUnexplained * photometry.contrast() * photometry.light;
+}
+
 // The coarse fits; of the ring as designed, or else as it was seen: then the pattern is that of it.
-RankedFits fitCoarsely(const MarkerInImage &view, bool refine, const FitSettings &settings, MarkerPattern &pattern,
+RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &settings, MarkerPattern &pattern,
                        MeasureMemory &memory)
 {
   const Recognition &marker = view.marker;
-  const RankedFits few = fitFewPixels(view, pattern, refine, settings, memory.pixels, *memory.fitter);
+  RankedFits few = fitFewPixels(view, pattern, refine, settings, memory.pixels, *memory.fitter);
+  if (refine && mayHaveShadow(marker, pattern, few)) {
+    few = withShadow(view, pattern, few, settings, memory);
+  }
   if (marker.ringInner == marker.family.getLayout().ringInner || isRightRing(few)) {
     return few;
   }
@@ -267,7 +311,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     pattern.darkness = *marker.darkness;
   }
   const MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
-  const FitSettings settings = settingsFor(view, pattern, deadline);
+  FitSettings settings = settingsFor(view, pattern, deadline);
   RankedFits ranked = marker.ring && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
   if (refine && !marker.isCertain && !ranked.fits.empty() && ranked.fits[0].correlation < leastCorrelationInDoubt) {
     return std::nullopt;

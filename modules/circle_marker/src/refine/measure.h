@@ -54,6 +54,7 @@ struct MeasureMemory
   std::unique_ptr<Fitter> fitter = makeFitter(); //!< What fits poses to them.
   TrackMemory track;                             //!< Of the code track's pixels.
   CodeImage code;                                //!< The same of a small marker.
+  std::vector<ExplainedPixel> explained;         //!< The pixels as a fit explains them.
 };
 
 /*!

@@ -62,9 +62,16 @@ double Photometry::contrast() const
   return absorption < 1. ? 1. - std::pow(1. - absorption, gamma) : absorption;
 }
 
+double Shadow::leavesAt(const Eigen::Vector2d &offset) const
+{
+  const double beyond = Eigen::Vector2d(std::cos(direction), std::sin(direction)).dot(offset) - edge;
+  return 1. - 0.5 * (1. - factor) * std::erfc(-beyond / (std::sqrt(2.) * softness));
+}
+
 double Photometry::whiteAt(const Eigen::Vector2d &offset) const
 {
-  return light * std::pow(std::max(1. + lightGradient.dot(offset), leastLight), gamma);
+  const double left = shadow ? shadow->leavesAt(offset) : 1.;
+  return light * std::pow(std::max(1. + lightGradient.dot(offset), leastLight) * left, gamma);
 }
 
 double Photometry::blackOf(double grey) const

@@ -61,7 +61,11 @@ struct Shadow
   double factor = 0.5;    //!< Light that is left in it.
   double direction = 0.;  //!< Direction of the image from the lit to the dark side, rad from u toward v.
   double edge = 0.;       //!< Where the edge lies along that direction.
-  double softness = 0.05; //!< Standard deviation of the edge's softness.
+  double softness = 0.05; //!< Standard deviation of the edge's softness, as the lens blurs it.
+  double frameSize = 0.;  //!< Unit of the coordinates, pixels; 0 if it is not known.
+
+  /*! Share of the light that it leaves at a place. */
+  double leavesAt(const Eigen::Vector2d &offset) const;
 };
 
 /*! Light, ink and blur of a marker's image, and the camera's gamma: grey levels are the light to that power. */
@@ -85,7 +89,7 @@ struct Photometry
   /*! 1 - black / white, of the grey levels. */
   double contrast() const;
 
-  /*! Grey level of white paper without a shadow at a place in the coordinates of ImageFrame. */
+  /*! Grey level of white paper at a place in the coordinates of ImageFrame. */
   double whiteAt(const Eigen::Vector2d &offset) const;
 
   /*! Share of black that a pixel sees, by its grey level over that of white. */

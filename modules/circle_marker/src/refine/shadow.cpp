@@ -29,10 +29,6 @@ namespace circle_marker {
 namespace {
 // Looks around the marker.
 constexpr std::size_t directions = 64;
-// Softness that a fit starts with: of a shadow's edge little is known, pixels.
-constexpr double commonSoftness = 2.;
-// In units of the marker's size; a softer edge is a gradient.
-constexpr double mostSoftness = 0.3;
 } // namespace
 
 std::optional<Shadow> shadowOn(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
@@ -71,7 +67,8 @@ std::optional<Shadow> shadowOn(const vpImage<unsigned char> &I, const CameraMode
   shadow.factor = light.getFactor();
   shadow.direction = std::atan2(toDark.y(), toDark.x());
   shadow.edge = toDark.dot(p);
-  shadow.softness = std::min(commonSoftness / frame.size, mostSoftness);
+  shadow.softness = softnessAtStart(frame.size);
+  shadow.frameSize = frame.size;
   return shadow;
 }
 } // namespace circle_marker

@@ -23,6 +23,7 @@
 #ifndef VP_CIRCLE_MARKER_SHADOW_H
 #define VP_CIRCLE_MARKER_SHADOW_H
 
+#include <algorithm>
 #include <optional>
 
 #include "refine/fit_pixel.h"
@@ -32,6 +33,17 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*!
+  Softness of a shadow's edge that a fit starts with, in the coordinates of an ImageFrame: of the edge little is known.
+  \param frameSize : Size of the frame, pixels.
+*/
+inline double softnessAtStart(double frameSize)
+{
+  constexpr double common = 2.; // pixels
+  constexpr double most = 0.3;  // a softer edge is a gradient
+  return std::min(common / frameSize, most);
+}
+
 /*!
   Looks for a shadow in the white of the quiet zone.
   \param I : The image.

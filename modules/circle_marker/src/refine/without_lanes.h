@@ -56,6 +56,7 @@
 #include "refine/paper_end.h"
 #include "refine/photometry.h"
 #include "refine/plane_point.h"
+#include "refine/shadow_split.h"
 #include "refine/surround.h"
 #include "support/camera_model.h"
 #include "support/normal_distribution.h"
