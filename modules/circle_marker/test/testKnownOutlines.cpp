@@ -112,6 +112,55 @@ TEST(KnownOutlines, HoldsThePointsAlongThem)
   EXPECT_FALSE(known.outlines.holds(half.data(), half.size()));
 }
 
+// An outline of an arc comes after that which has more of the edge, though neither ellipse is the other.
+TEST(KnownOutlines, TheBetterOneAlongTheSameEdgeIsKnown)
+{
+  Known known;
+  const EllipseParameters whole = ellipseAt(200., 200., 100.);
+  ASSERT_TRUE(known.take(whole, 0.95));
+  EllipseCandidate arc = candidateAt(ellipseAt(190., 195., 115.), 0.8); // as it was found, of points of the other
+  const std::vector<EdgePoint> beside = arc.points;
+  arc.points = candidateAt(whole, 1.).points;
+  arc.points.resize(20);
+  ASSERT_NE(known.outlines.betterAlong(arc), nullptr);
+  EXPECT_EQ(known.outlines.betterAlong(arc)->ellipse.a, 100.);
+  const auto isBehindWith = [&](std::size_t points) { // of 20, the rest elsewhere
+    EllipseCandidate other = arc;
+    std::copy(beside.begin() + 30, beside.begin() + 30 + static_cast<std::ptrdiff_t>(20 - points),
+              other.points.begin() + static_cast<std::ptrdiff_t>(points));
+    return known.outlines.betterAlong(other) != nullptr;
+  };
+  EXPECT_TRUE(isBehindWith(12));
+  EXPECT_FALSE(isBehindWith(9)) << "less than half of its points are along it";
+  arc.support = 0.95;
+  EXPECT_EQ(known.outlines.betterAlong(arc), nullptr) << "no more is found of it";
+  // Of a thin ring an edge that is well found is better, whatever is found of its dark line.
+  arc.isThin = true;
+  arc.support = 1.;
+  EXPECT_NE(known.outlines.betterAlong(arc), nullptr);
+  arc.isThin = false;
+  // Of several the largest: it is looked at first.
+  arc.support = 0.5;
+  EllipseCandidate larger = candidateAt(ellipseAt(200., 200., 140.), 0.9);
+  larger.conic = conicFromEllipse(whole); // as if the arc lay along it, too
+  larger.points = candidateAt(whole, 1.).points;
+  known.outlines.take(larger);
+  EXPECT_EQ(known.outlines.betterAlong(arc)->ellipse.a, 140.);
+}
+
+TEST(EllipseCandidate, TheLargestComesFirstButForArcsOfAnother)
+{
+  EllipseCandidate whole = candidateAt(ellipseAt(200., 200., 100.), 0.95);
+  EllipseCandidate arc = candidateAt(ellipseAt(190., 195., 115.), 0.8);
+  const EllipseCandidate small = candidateAt(ellipseAt(200., 200., 50.), 1.);
+  EXPECT_TRUE(comesBefore(arc, whole));
+  EXPECT_TRUE(comesBefore(whole, small));
+  arc.behind = whole.ellipse.a;
+  EXPECT_TRUE(comesBefore(whole, arc));
+  EXPECT_FALSE(comesBefore(arc, whole));
+  EXPECT_TRUE(comesBefore(arc, small));
+}
+
 TEST(KnownOutlines, SurroundsWhatIsInside)
 {
   Known known;

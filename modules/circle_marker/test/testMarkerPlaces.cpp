@@ -101,6 +101,9 @@ TEST(MarkerPlaces, RoomIsInTheWhite)
   EXPECT_TRUE(places.hold(outline, camera())) << "itself again";
   EXPECT_FALSE(places.hold(circleAt(u0 + 110., v0, 4.), camera())) << "beside it";
   EXPECT_FALSE(places.hold(circleAt(u0, v0, 101.), camera())) << "around it";
+  EllipseCandidate arc = circleAt(u0, v0, 101.);
+  arc.behind = 100.;
+  EXPECT_TRUE(places.hold(arc, camera())) << "an arc of its edge";
   places.reset(800, 600);
   EXPECT_FALSE(places.hold(circleAt(u0, v0, 50.), camera()));
   places.add(outline, markerOf(vpCircleMarkerFamily::ring(0.8), planeAt(0.)));

@@ -110,14 +110,29 @@ TEST(MeasureFits, AStuckPoseIsFittedAgain)
 TEST(MeasureFits, BendsAreFittedWhereThePrintIsPulledApart)
 {
   const MarkerScene scene = tilted(coded, 0.5);
-  for (const double coherence : {1., 1.5}) {
-    const Outcome outcome =
-        outcomeOf(scene, recognised(scene, 8, false), true, [&](FittedPose &fit, const ScriptedFitter::Asked &asked) {
-          fit.coherence = asked.settings.exactBends ? coherence : 1.;
-        });
-    const bool isBent = std::any_of(outcome.asked.begin(), outcome.asked.end(),
-                                    [](const ScriptedFitter::Asked &fit) { return fit.settings.bend; });
-    EXPECT_EQ(isBent, coherence > 1.);
+  const auto isBent = [&](const Recognition &marker, double coherence) {
+    const Outcome outcome = outcomeOf(scene, marker, true, [&](FittedPose &fit, const ScriptedFitter::Asked &asked) {
+      fit.coherence = asked.settings.exactBends ? coherence : 1.;
+    });
+    return std::any_of(outcome.asked.begin(), outcome.asked.end(),
+                       [](const ScriptedFitter::Asked &fit) { return fit.settings.bend; });
+  };
+  Recognition marker = recognised(scene, 8, false);
+  EXPECT_FALSE(isBent(marker, 1.));
+  EXPECT_TRUE(isBent(marker, 1.5));
+  // A piece of the quiet zone is out of the image, or a quarter of the ring is covered and more.
+  for (const bool isMostlySeen : {true, false}) {
+    SeenParts seen;
+    seen.plane = scene.plane();
+    seen.directions = mostSamples;
+    seen.ring.set();
+    seen.track.set();
+    seen.center.set();
+    for (std::size_t k = 0; k < mostSamples * (isMostlySeen ? 0.24 : 0.26); ++k) {
+      seen.ring.reset(k);
+    }
+    marker.seen = seen;
+    EXPECT_EQ(isBent(marker, 1.5), isMostlySeen);
   }
 }
 

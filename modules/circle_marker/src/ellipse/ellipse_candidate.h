@@ -57,6 +57,12 @@ struct EllipseCandidate
   double rank() const { return std::min(ellipse.a, behind); }
 };
 
+/*!
+  An outline of which less than this share is found may be that of a piece of a ring's edge and of something else: the
+  ring's other arcs along it, and those of its chain, are tried as well.
+*/
+constexpr double wellFound = 0.9;
+
 /*! The order in which outlines are looked at: the largest first. */
 inline bool comesBefore(const EllipseCandidate &p, const EllipseCandidate &q)
 {

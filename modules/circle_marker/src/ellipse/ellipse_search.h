@@ -38,11 +38,6 @@ namespace circle_marker {
 constexpr std::size_t fewestPoints = 8;
 /*! What is inside of an outline that is found to this share is its code: its arcs and ends are not joined. */
 constexpr double wholeOutline = 0.8;
-/*!
-  An outline of which less than this share is found may be that of a piece of a ring's edge and of something else: the
-  ring's other arcs along it, and those of its chain, are tried as well.
-*/
-constexpr double wellFound = 0.9;
 /*! Mark of a chain that is still to be cut and that encloses something bright. */
 constexpr std::uint8_t brightInside = 2;
 

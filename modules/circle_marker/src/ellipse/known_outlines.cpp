@@ -154,7 +154,9 @@ const EllipseCandidate *KnownOutlines::betterAlong(const EllipseCandidate &outli
   const std::vector<EdgePoint> &points = outline.points;
   const EllipseCandidate *better = nullptr;
   anyAlong(points.data(), points.size(), 1., 0., [&](const EllipseCandidate &known) {
-    if (known.support > outline.support && (better == nullptr || known.ellipse.a > better->ellipse.a) &&
+    const bool isBetter =
+        known.isThin == outline.isThin ? known.support > outline.support : outline.isThin && known.support >= wellFound;
+    if (isBetter && (better == nullptr || known.ellipse.a > better->ellipse.a) &&
         shareOn(known, points.data(), points.size(), 1, 1., 0.) > shareAlong) {
       better = &known;
     }

@@ -58,7 +58,7 @@ public:
 
   /*!
     The largest of the outlines along which most of the points of one of them lie, and of which a greater share is
-    found.
+    found; or that are well found by their edge, where it is a thin ring.
     \return Nothing if there is none.
   */
   const EllipseCandidate *betterAlong(const EllipseCandidate &outline) const;

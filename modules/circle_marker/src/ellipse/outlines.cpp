@@ -151,7 +151,8 @@ void addReduced(const Enlargement &enlarged, const SoughtCenters &sought, Worker
 void rankOutlines(KnownOutlines &known)
 {
   for (EllipseCandidate &outline : known.outlines) {
-    const EllipseCandidate *better = outline.support < wellFound ? known.betterAlong(outline) : nullptr;
+    const bool mayBeAnArc = outline.support < wellFound || outline.isThin;
+    const EllipseCandidate *better = mayBeAnArc ? known.betterAlong(outline) : nullptr;
     outline.behind = better != nullptr ? better->ellipse.a : HUGE_VAL;
   }
   std::sort(known.outlines.begin(), known.outlines.end(), comesBefore);

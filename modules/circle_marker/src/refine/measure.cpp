@@ -62,6 +62,9 @@ constexpr double mostBend = 0.12;
 constexpr double mostBlur = 0.6;
 // Or by one of another size than was seen, by this factor of the distance.
 constexpr double mostNearer = 1.5;
+// Of a bent sheet's ring this share is seen at least: the quiet zone of one at the image's border is not all in it, and
+// such a marker is read as one of which a part is covered.
+constexpr double leastSeenOfBent = 0.75;
 // Of markers below this radius, pixels, both poses are refined: all pixels cost little more than the few, and a coarse
 // fit that was stuck made the right pose of some markers of 16 pixels hopeless.
 constexpr double leastHopelessSize = 20.;
@@ -101,6 +104,13 @@ RankedFits withShadow(const MarkerInImage &view, const MarkerPattern &pattern, c
   }
   settings.shadow = shaded.shadow;
   return again;
+}
+
+// Whether the sheet may be bent, as far as the fit can tell: where too much is covered a bend explains what covers it.
+bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
+{
+  const bool isMostlySeen = !marker.seen || marker.seen->share() > leastSeenOfBent;
+  return isMostlySeen && !marker.darkness && pattern.sectors > 0;
 }
 
 // Whether a coarse fit of a marker without a shadow leaves so much that it may have one; of rings without a code, whose
@@ -320,8 +330,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   if (refine && !ranked.fits.empty()) {
     givenUp = giveUpHopeless(view, ranked);
     ranked = fitAllPixels(view, ranked, settings, pattern, memory);
-    const bool mayBend = !marker.seen && !marker.darkness && pattern.sectors > 0;
-    if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && mayBend) {
+    if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && mayBend(marker, pattern)) {
       ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
     }
   }
