@@ -105,6 +105,47 @@ TEST(MeasureFits, AStuckPoseIsFittedAgain)
   EXPECT_LT((outcome.asked.back().start.plane.rotation - mirror.rotation).norm(), 1e-9);
 }
 
+// Without a second pose the first would be certain, whichever of the two it is.
+TEST(MeasureFits, ThePoseThatNoFitCameToIsFitted)
+{
+  for (const double diameter : {30., 80.}) {
+    const MarkerScene scene = tilted(coded, 0.5, diameter);
+    int fitsOfTwin = 0; // on all pixels
+    const Outcome outcome =
+        outcomeOf(scene, recognised(scene, 8, false), true, [&](FittedPose &fit, const ScriptedFitter::Asked &asked) {
+          if (asked.settings.exactBends && isTwinOf(fit.plane, scene) && ++fitsOfTwin == 1) {
+            fit.plane = scene.plane();
+          }
+        });
+    EXPECT_EQ(fitsOfTwin, 2) << diameter;
+    ASSERT_TRUE(outcome.measurement && outcome.measurement->second) << diameter;
+    EXPECT_TRUE(isTwinOf(outcome.measurement->second->plane, scene));
+    EXPECT_NEAR(outcome.measurement->cost2 - outcome.measurement->cost, oddsOfTwin, 1e-9);
+  }
+}
+
+// Of a small marker a pose that was given up on its way may be the right one: it is fitted from the other's mirror
+// image, and if that is better, the other one from its.
+TEST(MeasureFits, GivenUpPosesOfSmallMarkersAreFittedAgain)
+{
+  for (const double diameter : {39., 41.}) {
+    const MarkerScene scene = tilted(coded, 0.5, diameter);
+    int fits = 0; // on all pixels
+    const Outcome outcome =
+        outcomeOf(scene, recognised(scene, 8, false), true, [&](FittedPose &fit, const ScriptedFitter::Asked &asked) {
+          fits += asked.settings.exactBends ? 1 : 0;
+          if (asked.settings.exactBends && fits <= 2 && isTwinOf(fit.plane, scene)) {
+            fit.isSettled = false;
+            fit.squares += squaresOf(50.);
+          }
+        });
+    const bool isSmall = diameter < 40.;
+    EXPECT_EQ(fits, isSmall ? 3 : 2) << diameter;
+    ASSERT_TRUE(outcome.measurement && outcome.measurement->second) << diameter;
+    EXPECT_NEAR(outcome.measurement->cost2 - outcome.measurement->cost, oddsOfTwin + (isSmall ? 0. : 50.), 1e-9);
+  }
+}
+
 // Bends cost precision: they are fitted where parts of the print pull the pose apart, and not where something covers
 // it.
 TEST(MeasureFits, BendsAreFittedWhereThePrintIsPulledApart)

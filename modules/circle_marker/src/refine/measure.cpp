@@ -68,6 +68,8 @@ constexpr double leastSeenOfBent = 0.75;
 // Of markers below this radius, pixels, both poses are refined: all pixels cost little more than the few, and a coarse
 // fit that was stuck made the right pose of some markers of 16 pixels hopeless.
 constexpr double leastHopelessSize = 20.;
+// Fits from the mirrored pose of the best, at most: the first may become the best, and its own mirrored pose is stuck.
+constexpr int mostTwins = 2;
 
 // A fit that leaves more than this share of the contrast unexplained may have missed the edge of a shadow: of small
 // oblique markers the quiet zone is too narrow to show it. One with the shadow leaves at most this share of that.
@@ -170,8 +172,24 @@ RankedFits fitsOfRing(const MarkerInImage &view)
   return ranked;
 }
 
-// The fits on all pixels around the coarse ones.
-RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, FitSettings settings,
+// Whether the mirrored pose of the best fit is another one that no fit has come to, or one in other light has. From
+// where a small marker's coarse fit ends, a wrong pose may come to its minimum and the right one be stuck, come to the
+// same, or be so far behind on its way that it is given up.
+bool lacksTwin(const Few<FittedPose> &fits, bool isSmall)
+{
+  if (fits.size() > 1) {
+    return !isSameLight(fits[0].photometry, fits[1].photometry) || (isSmall && !fits[1].isSettled);
+  }
+  if (fits.empty()) {
+    return false;
+  }
+  FittedPose twin = fits[0];
+  twin.plane = mirrored(twin.plane);
+  return !isSamePose(fits[0], twin);
+}
+
+// The fits on all pixels around the coarse ones; of both poses unless one is given up.
+RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, bool isOneGivenUp, FitSettings settings,
                         MarkerPattern &pattern, MeasureMemory &memory)
 {
   const Few<FittedPose> &fits = coarse.fits;
@@ -191,17 +209,19 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, Fit
   RankedFits ranked = rank(memory.pixels, pattern, true,
                            fitAll(memory.pixels, starts, pattern, settings, *memory.fitter), *memory.fitter);
   keepTwo(ranked);
-  // From where a small marker's coarse fit ends, a wrong pose may come to its minimum and the right one be stuck.
-  if (ranked.fits.size() > 1 && !isSameLight(ranked.fits[0].photometry, ranked.fits[1].photometry)) {
+  const bool isSmall = view.frame.size <= leastHopelessSize;
+  for (int round = 0; round < mostTwins && !isOneGivenUp && lacksTwin(ranked.fits, isSmall); ++round) {
     Few<FitStart> again;
     again.push_back({mirrored(ranked.fits[0].plane), ranked.fits[0].photometry, ranked.noise});
     settings.samePixels = true;
-    const Few<FittedPose> others = fitAll(memory.pixels, again, pattern, settings, *memory.fitter, ranked.fits[0]);
-    if (!others.empty()) {
-      ranked.fits.push_back(others[0]);
-      ranked = rank(memory.pixels, pattern, true, ranked.fits, *memory.fitter);
-      keepTwo(ranked);
+    const Few<FittedPose> others = fitAll(memory.pixels, again, pattern, settings, *memory.fitter,
+                                          isSmall ? std::nullopt : std::make_optional(ranked.fits[0]));
+    if (others.empty()) {
+      break;
     }
+    ranked.fits.push_back(others[0]);
+    ranked = rank(memory.pixels, pattern, true, ranked.fits, *memory.fitter);
+    keepTwo(ranked);
   }
   return ranked;
 }
@@ -329,7 +349,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   std::optional<GivenUp> givenUp;
   if (refine && !ranked.fits.empty()) {
     givenUp = giveUpHopeless(view, ranked);
-    ranked = fitAllPixels(view, ranked, settings, pattern, memory);
+    ranked = fitAllPixels(view, ranked, givenUp.has_value(), settings, pattern, memory);
     if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && mayBend(marker, pattern)) {
       ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
     }
