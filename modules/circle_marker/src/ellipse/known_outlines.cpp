@@ -152,12 +152,13 @@ bool KnownOutlines::holds(const EdgePoint *points, std::size_t count, double sca
 const EllipseCandidate *KnownOutlines::betterAlong(const EllipseCandidate &outline) const
 {
   const std::vector<EdgePoint> &points = outline.points;
+  const std::size_t stride = 1 + points.size() / 32; // an arc has few, and whether half of them are along it shows so
   const EllipseCandidate *better = nullptr;
   anyAlong(points.data(), points.size(), 1., 0., [&](const EllipseCandidate &known) {
     const bool isBetter =
         known.isThin == outline.isThin ? known.support > outline.support : outline.isThin && known.support >= wellFound;
     if (isBetter && (better == nullptr || known.ellipse.a > better->ellipse.a) &&
-        shareOn(known, points.data(), points.size(), 1, 1., 0.) > shareAlong) {
+        shareOn(known, points.data(), points.size(), stride, 1., 0.) > shareAlong) {
       better = &known;
     }
     return false;

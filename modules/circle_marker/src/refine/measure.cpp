@@ -115,11 +115,13 @@ bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
   return isMostlySeen && !marker.darkness && pattern.sectors > 0;
 }
 
-// Whether a coarse fit of a marker without a shadow leaves so much that it may have one; of rings without a code, whose
-// shape alone proves them, this is not asked, nor of covered markers: what covers them looks like the edge of a shadow.
+// Whether a coarse fit of a marker without a shadow leaves so much that it may have one. This is not asked of rings
+// without a code, whose shape alone proves them; of covered markers, as what covers them looks like the edge of a
+// shadow; and of what is less like the marker than those under shadows are, such as letters.
 bool mayHaveShadow(const Recognition &marker, const MarkerPattern &pattern, const RankedFits &few)
 {
-  if (marker.seen || pattern.sectors == 0 || few.fits.empty()) {
+  if (marker.seen || pattern.sectors == 0 || few.fits.empty() ||
+      few.fits[0].correlation < leastCorrelationWithoutCode) {
     return false;
   }
   const Photometry &photometry = few.fits[0].photometry;
@@ -178,9 +180,10 @@ RankedFits fitsOfRing(const MarkerInImage &view)
 bool lacksTwin(const Few<FittedPose> &fits, bool isSmall)
 {
   if (fits.size() > 1) {
-    return !isSameLight(fits[0].photometry, fits[1].photometry) || (isSmall && !fits[1].isSettled);
+    return !isSameLight(fits[0].photometry, fits[1].photometry) ||
+           (isSmall && !fits[1].isSettled && fits[0].correlation >= leastCorrelation);
   }
-  if (fits.empty()) {
+  if (fits.empty() || fits[0].correlation < leastCorrelation) {
     return false;
   }
   FittedPose twin = fits[0];
