@@ -44,6 +44,9 @@ constexpr double MOTION_STEP = 0.25;
 constexpr int MOST_MOTION_STEPS = 256;
 // Standard deviation of a pixel's square, along either side, in pixels.
 const double PIXEL_BLUR = 1. / std::sqrt(12.);
+// A penumbra wider than this, in pixels, is even within the blur: it multiplies pixels. At an edge that is a third of a
+// grey level off.
+constexpr double WIDE_PENUMBRA = 30.;
 // Background before another one is asked for: darker than paper and brighter than ink.
 constexpr double PLAIN_BACKGROUND = 110.;
 
@@ -215,11 +218,13 @@ void vpMarkerSceneSimulator::renderNoiseFree(vpImage<float> &I) const
 {
   const Lens lens(m_cam);
   I = m_backgroundImage;
+  const std::optional<vpSceneShadow> &shadow = m_photometry.shadow;
+  const bool isWide = shadow && shadow->penumbra > WIDE_PENUMBRA;
+  const double blur = std::hypot(m_photometry.blurSigma, PIXEL_BLUR);
   std::vector<SharpShadow> shadows;
-  if (m_photometry.shadow) {
-    const double blur = std::hypot(m_photometry.blurSigma, PIXEL_BLUR);
-    castShadow(*m_photometry.shadow, blur, I);
-    shadows = sharpShadows(*m_photometry.shadow, blur);
+  if (shadow && !isWide) {
+    castShadow(*shadow, blur, I);
+    shadows = sharpShadows(*shadow, blur);
   }
   const int steps = motionSteps(m_motion, m_markers, lens);
   for (int step = 0; step < steps; ++step) {
@@ -238,6 +243,9 @@ void vpMarkerSceneSimulator::renderNoiseFree(vpImage<float> &I) const
     for (const Layer &layer : layers) {
       addLayer(layer, *m_response, m_backgroundImage, 1. / steps, shadows, I);
     }
+  }
+  if (isWide) {
+    castShadow(*shadow, blur, I);
   }
   illuminate(m_photometry, I);
   applyGamma(m_photometry.gamma, I);

@@ -73,6 +73,28 @@ TEST(Sensor, ShadowHasItsEdgeAndDepth)
   EXPECT_NEAR(I[203][17], 150. * (1. - 0.4 * (0.8413447 - 0.0011202)), 1e-3);
 }
 
+// Two ways to cast it meet where its penumbra is as wide as ten pixels of blur and more.
+TEST(Sensor, WideShadowsMultiplyPixels)
+{
+  const auto image = [](double penumbra) {
+    vpMarkerSceneSimulator simulator(pinhole(120, 100, 400.), 120, 100);
+    vpScenePhotometry photometry = idealSensor();
+    photometry.blurSigma = 0.7;
+    photometry.shadow = vpSceneShadow{vpImagePoint(50., 60.), 0.4, 0.5, penumbra};
+    simulator.setPhotometry(photometry);
+    simulator.addMarker(vpSimulatedMarker::circle("bch31", 7, 0.18).setPose(tiltedPose(0., 0., 1., 0.5, 2., 0.)));
+    return noiseFree(simulator);
+  };
+  const vpImage<float> narrow = image(29.99);
+  const vpImage<float> wide = image(30.01);
+  double worst = 0.;
+  for (unsigned int k = 0; k < wide.getSize(); ++k) {
+    worst = std::max(worst, std::fabs(static_cast<double>(narrow.bitmap[k]) - wide.bitmap[k]));
+  }
+  EXPECT_LT(worst, 0.5); // grey levels
+  EXPECT_NO_THROW(image(1e6));
+}
+
 TEST(Sensor, GammaBendsTheScaleBetweenBlackAndWhite)
 {
   vpScenePhotometry photometry = idealSensor();

@@ -37,10 +37,10 @@ BEGIN_VISP_NAMESPACE
   \ingroup group_circle_marker_simulator
   \brief A shadow with a straight edge: the light is multiplied by \e factor on one side of it.
 
-  It falls on sheets and occluders before the lens blurs their image: where it crosses an edge of the print, the product
-  of both is blurred. Of the background it multiplies each pixel. With d = (u - u_e) cos(direction) + (v - v_e)
-  sin(direction), in pixels, the light is multiplied by 1 - (1 - factor) Phi(d / penumbra), Phi being the normal
-  distribution function.
+  It falls on sheets and occluders before the lens blurs their image: where it crosses an edge of the print, the
+  product of both is blurred. Of the background, and with a penumbra of more than 30 pixels of all, it multiplies
+  pixels. With d = (u - u_e) cos(direction) + (v - v_e) sin(direction), in pixels, the light is multiplied by 1 - (1 -
+  factor) Phi(d / penumbra), Phi being the normal distribution function.
 */
 struct vpSceneShadow
 {
