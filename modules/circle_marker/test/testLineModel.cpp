@@ -15,7 +15,7 @@
  * Test of the model that integrates along lines.
  */
 
-#include "testRoomTools.h"
+#include "testPixelTools.h"
 
 #include "support/camera_model.h"
 #include "refine/image_model.h"
@@ -46,16 +46,7 @@ struct Case
   {
     pattern.setWord(scene.word);
     photometry.blur.sigma = std::sqrt(blur * blur + 1. / 12.);
-    const CameraModel camera(scene.camera());
-    for (unsigned int v = 0; v < side; ++v) {
-      for (unsigned int u = 0; u < side; ++u) {
-        FitPixel pixel;
-        pixel.meter = camera.toMeter(Eigen::Vector2d(u, v)).cast<float>();
-        pixel.meterPerPixel = camera.meterPerPixel(Eigen::Vector2d(u, v)).cast<float>();
-        pixel.grey = truth[v][u];
-        pixels.push_back(pixel);
-      }
-    }
+    pixels = allPixels(truth, scene);
     packPixels(pixels, plane, pattern, photometry, 0., 1., mostBorders, blocks);
   }
 

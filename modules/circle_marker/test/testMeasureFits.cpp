@@ -146,6 +146,24 @@ TEST(MeasureFits, GivenUpPosesOfSmallMarkersAreFittedAgain)
   }
 }
 
+TEST(MeasureFits, WhatBecomesTheBestHasItsMirrorImageFittedToo)
+{
+  const MarkerScene scene = tilted(coded, 0.5, 30.);
+  int fits = 0; // on all pixels: at first both poses are stuck, the right one behind
+  const Outcome outcome =
+      outcomeOf(scene, recognised(scene, 8, false), true, [&](FittedPose &fit, const ScriptedFitter::Asked &asked) {
+        fits += asked.settings.exactBends ? 1 : 0;
+        if (asked.settings.exactBends && fits <= 2) {
+          fit.isSettled = false;
+          fit.squares += squaresOf(isTwinOf(fit.plane, scene) ? 50. : 80.);
+        }
+      });
+  EXPECT_EQ(fits, 4);
+  ASSERT_TRUE(outcome.measurement && outcome.measurement->second);
+  EXPECT_FALSE(isTwinOf(outcome.measurement->first.plane, scene));
+  EXPECT_NEAR(outcome.measurement->cost2 - outcome.measurement->cost, oddsOfTwin, 1e-9);
+}
+
 // Bends cost precision: they are fitted where parts of the print pull the pose apart, and not where something covers
 // it.
 TEST(MeasureFits, BendsAreFittedWhereThePrintIsPulledApart)

@@ -46,6 +46,7 @@ struct Fits
   double plain = 10.;
   double withShadow = 2.;
   double inliers = 1.;
+  double correlation = 0.99; // without the shadow
 };
 
 // Whether the fits on all pixels have the shadow.
@@ -57,6 +58,7 @@ bool isMeasuredWithShadow(const Recognition &marker, const MarkerScene &scene, c
     fit.photometry.shadow = asked.start.photometry ? asked.start.photometry->shadow : asked.settings.shadow;
     fit.noise = fit.photometry.shadow ? fits.withShadow : fits.plain;
     fit.inliers = fit.photometry.shadow ? 1. : fits.inliers;
+    fit.correlation = fit.photometry.shadow ? 0.99 : fits.correlation;
   };
   const Outcome outcome = outcomeOf(scene, marker, refine, alter, Deadline(), shaded(random));
   return !outcome.asked.empty() && outcome.asked.back().settings.shadow.has_value();
@@ -82,6 +84,16 @@ TEST(MeasureShadow, IsNotSoughtWhereTheFitExplainsTheImage)
   const Recognition marker = recognised(scene, 8, false);
   EXPECT_FALSE(isMeasuredWithShadow(marker, scene, {0.019 * contrast, 0.1, 1.}, random));
   EXPECT_TRUE(isMeasuredWithShadow(marker, scene, {0.021 * contrast, 0.1, 1.}, random));
+}
+
+// Letters are fitted by markers, too, but less well than markers under a shadow.
+TEST(MeasureShadow, IsNotSoughtOnWhatIsHardlyLikeTheMarker)
+{
+  Random random = randomOfTest();
+  const MarkerScene scene = tilted(coded, 0.5);
+  const Recognition marker = recognised(scene, 8, false);
+  EXPECT_TRUE(isMeasuredWithShadow(marker, scene, {10., 2., 1., 0.945}, random));
+  EXPECT_FALSE(isMeasuredWithShadow(marker, scene, {10., 2., 1., 0.935}, random));
 }
 
 // What covers a marker looks like one; a ring without a code has its shape alone to prove itself; and poses that are

@@ -18,8 +18,7 @@
 #include "refine/shaded_edges.h"
 
 #include "refine/line_model.h"
-#include "support/camera_model.h"
-#include "testRoomTools.h"
+#include "testPixelTools.h"
 
 using namespace circle_marker;
 using namespace room_test;
@@ -51,18 +50,7 @@ struct Case
       const double dark = penumbra > 0. ? 0.5 * std::erfc(-beyond / (penumbra * M_SQRT2)) : beyond > 0. ? 1. : 0.;
       return (1. - (1. - shadow.factor) * dark) * (scene.isBlack(scene.onMarker(u, v)) ? 1. - absorption : 1.);
     };
-    const vpImage<double> truth = expose(side, side, blur, lit, 8);
-    const CameraModel camera(scene.camera());
-    for (unsigned int v = 0; v < side; ++v) {
-      for (unsigned int u = 0; u < side; ++u) {
-        FitPixel pixel;
-        pixel.meter = camera.toMeter(Eigen::Vector2d(u, v)).cast<float>();
-        pixel.meterPerPixel = camera.meterPerPixel(Eigen::Vector2d(u, v)).cast<float>();
-        pixel.offset = ((Eigen::Vector2d(u, v) - frame.center) / frame.size).cast<float>();
-        pixel.grey = static_cast<float>(truth[v][u]);
-        pixels.push_back(pixel);
-      }
-    }
+    pixels = allPixels(expose(side, side, blur, lit, 8), scene);
     packPixels(pixels, plane, pattern, photometry, 0., 1., mostBorders, blocks);
     correctBends(plane, pattern, photometry.blur, blocks);
   }

@@ -102,6 +102,37 @@ TEST(ShadowSplit, TheFitsLightDoesNotCount)
   EXPECT_EQ(found->edge, expected->edge);
 }
 
+// The fit's own light may explain more than two strengths do: it leaves two fifths of what these leave at least.
+TEST(ShadowSplit, MayLeaveMoreThanTheFit)
+{
+  Random random = randomOfTest();
+  Case light;
+  light.shadow.direction = 0.4;
+  light.shadow.edge = 0.2;
+  std::vector<ExplainedPixel> pixels = pixelsUnder(light, random);
+  constexpr double places = 0.06; // of the marker: the edge is found to about this, and pixels beside it leave more
+  double left = 0.;
+  for (ExplainedPixel &pixel : pixels) {
+    const double beyond = pixel.offset.x() * std::cos(0.4) + pixel.offset.y() * std::sin(0.4) - 0.2;
+    pixel.weight = std::abs(beyond) > places ? 1.f : 0.f;
+    const double print = white - (white - black) * pixel.darkness;
+    const double off = pixel.grey - print * (beyond > 0. ? light.shadow.factor : 1.);
+    left += pixel.weight * off * off;
+  }
+  const auto isFoundIfTheFitLeaves = [&](double share) { // of what the split leaves
+    double weights = 0.;
+    for (const ExplainedPixel &pixel : pixels) {
+      weights += pixel.weight;
+    }
+    for (ExplainedPixel &pixel : pixels) {
+      pixel.fitted = pixel.grey + static_cast<float>(std::sqrt(share * left / weights));
+    }
+    return shadowBySplit(pixels, frameSize).has_value();
+  };
+  EXPECT_TRUE(isFoundIfTheFitLeaves(0.44));
+  EXPECT_FALSE(isFoundIfTheFitLeaves(0.36));
+}
+
 TEST(ShadowSplit, NoneWhereTheFitExplainsTheLight)
 {
   Random random = randomOfTest();

@@ -31,7 +31,7 @@ inline Lanes lightOf(const PixelBlock &block, const Photometry &photometry)
   return (1.f + gradient.x() * block.offsetU + gradient.y() * block.offsetV).max(static_cast<float>(leastLight));
 }
 
-// Grey level of white paper without a shadow: Photometry::whiteAt() has it.
+// Grey level of white paper if no shadow fell on it; Photometry::whiteAt() is that under it.
 inline Lanes whiteOf(const PixelBlock &block, const Photometry &photometry)
 {
   const auto gamma = static_cast<float>(photometry.gamma);

@@ -116,7 +116,7 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
 /*!
   The pixels, in any order, as a fit explains them. They must be those of the last fit, as for robustSquares().
   \param pixels : The pixels.
-  \param fit : The fit, without a shadow.
+  \param fit : The fit.
   \param pattern : The print.
   \param memory : Working memory.
   \param explained : The result; its memory is used again.

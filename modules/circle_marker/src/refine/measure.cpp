@@ -25,6 +25,7 @@
 #include "refine/bent_sheet.h"
 #include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"
+#include "refine/missed_shadow.h"
 #include "refine/shadow.h"
 #include "refine/surround.h"
 
@@ -71,41 +72,12 @@ constexpr double leastHopelessSize = 20.;
 // Fits from the mirrored pose of the best, at most: the first may become the best, and its own mirrored pose is stuck.
 constexpr int mostTwins = 2;
 
-// A fit that leaves more than this share of the contrast unexplained may have missed the edge of a shadow: of small
-// oblique markers the quiet zone is too narrow to show it. One with the shadow leaves at most this share of that.
-constexpr double muchUnexplained = 0.02;
-constexpr double mostLeftWithShadow = 0.8;
-
-// What a fit leaves, grey levels: of pixels that it counts as outliers the more the fewer it explains.
-double unexplainedBy(const FittedPose &fit)
-{
-  return fit.noise / std::max(fit.inliers, 1e-3);
-}
-
 // Whether a ring has the design's ratio of radii, whatever the first look at it said: it fits, and black is not larger
 // or smaller than printers and cameras make it.
 bool isRightRing(const RankedFits &ranked)
 {
   return !ranked.fits.empty() && ranked.fits[0].correlation >= leastCorrelationWithoutCode &&
          std::abs(std::log(ranked.fits[0].photometry.gamma)) < mostLogGamma;
-}
-// The same with the shadow that a fit without one shows, if it explains the image better: then the settings have it.
-RankedFits withShadow(const MarkerInImage &view, const MarkerPattern &pattern, const RankedFits &few,
-                      FitSettings &settings, MeasureMemory &memory)
-{
-  const FittedPose &plain = few.fits[0];
-  memory.fitter->explainPixels(memory.pixels, plain, pattern, memory.explained);
-  FitSettings shaded = settings;
-  shaded.shadow = shadowBySplit(memory.explained, view.frame.size);
-  if (!shaded.shadow) {
-    return few;
-  }
-  const RankedFits again = fitFewPixels(view, pattern, true, shaded, memory.pixels, *memory.fitter);
-  if (again.fits.empty() || unexplainedBy(again.fits[0]) > mostLeftWithShadow * unexplainedBy(plain)) {
-    return few;
-  }
-  settings.shadow = shaded.shadow;
-  return again;
 }
 
 // Whether the sheet may be bent, as far as the fit can tell: where too much is covered a bend explains what covers it.
@@ -115,19 +87,6 @@ bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
   return isMostlySeen && !marker.darkness && pattern.sectors > 0;
 }
 
-// Whether a coarse fit of a marker without a shadow leaves so much that it may have one. This is not asked of rings
-// without a code, whose shape alone proves them; of covered markers, as what covers them looks like the edge of a
-// shadow; and of what is less like the marker than those under shadows are, such as letters.
-bool mayHaveShadow(const Recognition &marker, const MarkerPattern &pattern, const RankedFits &few)
-{
-  if (marker.seen || pattern.sectors == 0 || few.fits.empty() ||
-      few.fits[0].correlation < leastCorrelationWithoutCode) {
-    return false;
-  }
-  const Photometry &photometry = few.fits[0].photometry;
-  return unexplainedBy(few.fits[0]) > muchUnexplained * photometry.contrast() * photometry.light;
-}
-
 // The coarse fits; of the ring as designed, or else as it was seen: then the pattern is that of it.
 RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &settings, MarkerPattern &pattern,
                        MeasureMemory &memory)
@@ -135,7 +94,7 @@ RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &sett
   const Recognition &marker = view.marker;
   RankedFits few = fitFewPixels(view, pattern, refine, settings, memory.pixels, *memory.fitter);
   if (refine && mayHaveShadow(marker, pattern, few)) {
-    few = withShadow(view, pattern, few, settings, memory);
+    few = withMissedShadow(view, pattern, few, settings, memory.pixels, memory.explained, *memory.fitter);
   }
   if (marker.ringInner == marker.family.getLayout().ringInner || isRightRing(few)) {
     return few;

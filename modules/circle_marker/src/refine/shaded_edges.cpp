@@ -20,12 +20,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "refine/grey_model.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 namespace {
-// Beyond this many standard deviations of the shadow's edge the light is even.
-constexpr float farFromShadow = 4.f;
+// Where the light changes by less than this, in units of what a shadow takes by its softness, it is even: beyond four
+// standard deviations of the edge.
+constexpr float leastSlope = 1e-4f;
 // Shift by which derivatives are taken, in standard deviations of the blur: of the first it leaves a twentieth.
 constexpr double shiftOfBlur = 0.6;
 
@@ -47,28 +50,27 @@ bool correctShadedEdges(const MarkerPlane &plane, const MarkerPattern &pattern, 
   if (!photometry.shadow || photometry.shadow->frameSize <= 0.) {
     return false;
   }
-  const Shadow &shadow = *photometry.shadow;
   const BlurParameters &blur = photometry.blur;
+  Shadow shadow = *photometry.shadow;
   const Eigen::Vector2d toDark(std::cos(shadow.direction), std::sin(shadow.direction));
   const Eigen::Vector2d blurred = blur.shape() * blur.shape() * (blur.sigma * blur.sigma * toDark); // C toDark
   const double along = blurred.norm();
-  const double acrossEdge = std::sqrt(blurred.dot(toDark)); // standard deviation of the blur there
-  // A shadow's edge is no sharper than the blur.
-  const double softness = std::max(shadow.softness * shadow.frameSize, acrossEdge);
+  const double acrossEdge = std::sqrt(blurred.dot(toDark));                   // standard deviation of the blur there
+  shadow.softness = std::max(shadow.softness, acrossEdge / shadow.frameSize); // no edge is sharper than the blur
   const double step = shiftOfBlur * acrossEdge;
   const Eigen::Vector2d shift = step / along * blurred;
-  const auto lost = static_cast<float>(1. - shadow.factor);
-  const auto first = static_cast<float>(along / softness / (2. * step));
-  const auto second = static_cast<float>(0.5 * along * along / (softness * softness * step * step));
-  const auto perSoftness = static_cast<float>(1. / shadow.softness);
+  // Of the light's first and second derivative by the pixel, with what the print's differences have besides.
+  const auto first = static_cast<float>(along / (2. * step * shadow.frameSize));
+  const auto second = static_cast<float>(0.5 * std::pow(along / (step * shadow.frameSize), 2.) / shadow.softness);
+  const auto least = leastSlope * static_cast<float>((1. - shadow.factor) / shadow.softness);
   const ImageModel model(plane, pattern, blur, blocks);
   bool isAnyShaded = false;
   for (std::size_t kind = 0; kind < pixelSights; ++kind) {
     const auto sight = static_cast<PixelSight>(kind);
     for (PixelBlock &block : blocks.bySight[kind]) {
-      const Lanes z = perSoftness * (static_cast<float>(toDark.x()) * block.offsetU +
-                                     static_cast<float>(toDark.y()) * block.offsetV - static_cast<float>(shadow.edge));
-      if (z.abs().minCoeff() > farFromShadow) {
+      const ShadowLanes light = shadowOf(block, shadow);
+      const Lanes &fall = light.by[2]; // by the edge's place: less light toward the dark side
+      if (fall.maxCoeff() < least) {
         continue;
       }
       Lanes before;
@@ -77,10 +79,8 @@ bool correctShadedEdges(const MarkerPlane &plane, const MarkerPattern &pattern, 
       model.evaluate(shifted(block, -shift), sight, before);
       model.evaluate(block, sight, here);
       model.evaluate(shifted(block, shift), sight, behind);
-      const NormalLanes normal = normalOf(z);
-      const Lanes slope = -lost * normal.density; // of the light, by softness
-      const Lanes together = first * slope * (behind - before) - second * slope * z * (behind - 2.f * here + before);
-      block.correction += together / (1.f - lost * normal.cumulative);
+      const Lanes together = second * light.by[3] * (behind - 2.f * here + before) - first * fall * (behind - before);
+      block.correction += together / light.value;
       isAnyShaded = true;
     }
   }

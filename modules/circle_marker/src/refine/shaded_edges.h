@@ -19,11 +19,11 @@
   \file shaded_edges.h
   \brief Edges of a print where the edge of a shadow falls on them.
 
-  The light falls on the paper before the lens blurs both: a pixel sees the blurred product of light s and print, not the
-  product of what each is when it is blurred. With a Gaussian blur of covariance C these differ by (Mehler's formula)
-  \f[ \overline{s d} - \bar s \bar d = \sum_{k \ge 1} \frac{1}{k!} (C : \nabla \otimes \nabla)^k \bar s \bar d, \f]
-  each pair of derivatives one of s and one of the share of black d. The light changes across the shadow's edge only, so
-  that \f$ C \nabla \f$ is a derivative along one direction of the image, which two shifts of the pixels tell.
+  The light falls on the paper before the lens blurs both: a pixel sees the blurred product of light s and print, not
+  the product of what each is when it is blurred. With a Gaussian blur of covariance C these differ by (Mehler's
+  formula) \f[ \overline{s d} - \bar s \bar d = \sum_{k \ge 1} \frac{1}{k!} (C : \nabla \otimes \nabla)^k \bar s \bar d,
+  \f] each pair of derivatives one of s and one of the share of black d. The light changes across the shadow's edge
+  only, so that \f$ C \nabla \f$ is a derivative along one direction of the image, which two shifts of the pixels tell.
 */
 
 #ifndef VP_CIRCLE_MARKER_SHADED_EDGES_H

@@ -44,11 +44,11 @@ struct ExplainedPixel
 
 /*!
   Looks for the line across a marker on whose two sides the print stands in light of two strengths: that white and black
-  are of other grey levels on either side explains the image better than the fit does. Light and gamma of that, which
-  may have followed the step as far as they could, do not count.
-  \param pixels : The pixels around a marker's edges, by a fit without a shadow. Its pose may be off by some pixels.
+  are of other grey levels on either side explains the image about as well as the fit does. Light and gamma of that,
+  which may have followed the step as far as they could, do not count.
+  \param pixels : The pixels around a marker's edges, by a fit that missed it. Its pose may be off by some pixels.
   \param frameSize : Size of the ImageFrame, pixels.
-  \return Where a fit with a shadow may start; nothing if two strengths of light explain little more than one.
+  \return Where a fit with a shadow may start; nothing if the strengths differ little, or explain far less than the fit.
 */
 std::optional<Shadow> shadowBySplit(const std::vector<ExplainedPixel> &pixels, double frameSize);
 } // namespace circle_marker
