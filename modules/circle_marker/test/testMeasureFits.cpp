@@ -25,6 +25,18 @@ namespace {
 // How far on either side of the limit of gamma is looked: a limit that has moved by more is another one.
 constexpr double within = 0.97;
 constexpr double beyond = 1.03;
+
+// Of a covered marker of which all is seen.
+SeenParts allParts(const MarkerScene &scene)
+{
+  SeenParts seen;
+  seen.plane = scene.plane();
+  seen.directions = mostSamples;
+  seen.ring.set();
+  seen.track.set();
+  seen.center.set();
+  return seen;
+}
 } // namespace
 
 // The first look at a small ring misjudges its ratio: the design's is tried first.
@@ -124,6 +136,31 @@ TEST(MeasureFits, ThePoseThatNoFitCameToIsFitted)
   }
 }
 
+// On paper that nearly faces the camera fits from both poses end in one. Where few pixels have said so of a clear
+// marker, or the mirrored pose is far behind before any step, another fit would take its time for nothing.
+TEST(MeasureFits, APoseThatIsTheOnlyOneIsNotFittedAgain)
+{
+  constexpr double hopeless = 61.; // log-odds: of which a step may take half
+  for (const bool isCovered : {false, true}) {
+    for (const double oddsAtStart : {0., hopeless}) {
+      for (const double diameter : {39., 80.}) {
+        const MarkerScene scene = tilted(coded, 0.5, diameter);
+        Recognition marker = recognised(scene, 8, false);
+        if (isCovered) {
+          marker.seen = allParts(scene);
+        }
+        const Outcome outcome = outcomeOf(
+            scene, marker, true, [&](FittedPose &fit, const ScriptedFitter::Asked &) { fit.plane = scene.plane(); },
+            Deadline(), {}, [&](const FittedPose &fit) { return isTwinOf(fit.plane, scene) ? oddsAtStart : 0.; });
+        // From both coarse poses, if they have not merged, and from the mirror image of what they led to.
+        const bool isAsked = diameter < 40. || (isCovered && oddsAtStart < hopeless);
+        EXPECT_EQ(outcome.onAllPixels(), isAsked ? 2 : 1) << isCovered << " " << oddsAtStart << " " << diameter;
+        EXPECT_TRUE(outcome.measurement && !outcome.measurement->second);
+      }
+    }
+  }
+}
+
 // Of a small marker a pose that was given up on its way may be the right one: it is fitted from the other's mirror
 // image, and if that is better, the other one from its.
 TEST(MeasureFits, GivenUpPosesOfSmallMarkersAreFittedAgain)
@@ -181,12 +218,7 @@ TEST(MeasureFits, BendsAreFittedWhereThePrintIsPulledApart)
   EXPECT_TRUE(isBent(marker, 1.5));
   // A piece of the quiet zone is out of the image, or a quarter of the ring is covered and more.
   for (const bool isMostlySeen : {true, false}) {
-    SeenParts seen;
-    seen.plane = scene.plane();
-    seen.directions = mostSamples;
-    seen.ring.set();
-    seen.track.set();
-    seen.center.set();
+    SeenParts seen = allParts(scene);
     for (std::size_t k = 0; k < mostSamples * (isMostlySeen ? 0.24 : 0.26); ++k) {
       seen.ring.reset(k);
     }

@@ -68,13 +68,13 @@ public:
     return m_script(asked.back());
   }
 
-  //! What the script gave it.
+  //! What the script gave it, and moreSquares.
   double robustSquares(const std::vector<circle_marker::FitPixel> &, const circle_marker::FittedPose &fit,
                        const circle_marker::MarkerPattern &, const circle_marker::Photometry &surround, double noise,
                        bool) override
   {
     judged.push_back({surround, noise});
-    return fit.squares;
+    return fit.squares + (moreSquares ? moreSquares(fit) : 0.);
   }
 
   void explainPixels(const std::vector<circle_marker::FitPixel> &, const circle_marker::FittedPose &,
@@ -83,6 +83,8 @@ public:
   {
     explained = explains;
   }
+
+  std::function<double(const circle_marker::FittedPose &)> moreSquares; //!< Where a fit is judged against others.
 
   std::vector<circle_marker::ExplainedPixel> explains; //!< What pixels show, if it is asked how a fit explains them.
 

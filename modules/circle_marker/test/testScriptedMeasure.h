@@ -71,11 +71,16 @@ struct Outcome
   }
 };
 
+//! Log-odds of the other fits against one, where they are judged, beyond what the script gave it.
+using OddsAgainst = std::function<double(const FittedPose &)>;
+
 using Alter = std::function<void(FittedPose &, const ScriptedFitter::Asked &)>;
 
 //! A marker whose fits end where they start, the other pose oddsOfTwin behind, and are then altered.
-inline Outcome outcomeOf(const MarkerScene &scene, const Recognition &marker, bool refine, const Alter &alter,
-                         const Deadline &deadline = Deadline(), const std::vector<ExplainedPixel> &explains = {})
+inline Outcome outcomeOf(
+    const MarkerScene &scene, const Recognition &marker, bool refine, const Alter &alter,
+    const Deadline &deadline = Deadline(), const std::vector<ExplainedPixel> &explains = {},
+    const OddsAgainst &oddsAgainst = [](const FittedPose &) { return 0.; })
 {
   auto scripted = std::make_unique<ScriptedFitter>([&](const ScriptedFitter::Asked &asked) {
     FittedPose fit = fitAt(asked.start);
@@ -85,6 +90,7 @@ inline Outcome outcomeOf(const MarkerScene &scene, const Recognition &marker, bo
     return std::optional<FittedPose>(fit);
   });
   scripted->explains = explains;
+  scripted->moreSquares = [&](const FittedPose &fit) { return squaresOf(oddsAgainst(fit)); };
   const ScriptedFitter &fitter = *scripted;
   MeasureMemory memory;
   memory.fitter = std::move(scripted);

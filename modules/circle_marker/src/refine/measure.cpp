@@ -150,6 +150,20 @@ bool lacksTwin(const Few<FittedPose> &fits, bool isSmall)
   return !isSamePose(fits[0], twin);
 }
 
+// Whether the mirrored pose of a large marker's best fit is so far behind, before any step from it, that it is not
+// worth a fit, which would go all the way to the best: on paper that nearly faces the camera the likelihood has one
+// maximum only.
+bool isTwinHopeless(const RankedFits &ranked, const MarkerPattern &pattern, MeasureMemory &memory)
+{
+  const FittedPose &best = ranked.fits[0];
+  FittedPose twin = best;
+  twin.plane = mirrored(best.plane);
+  twin.isSettled = false;
+  twin.decrement = HUGE_VAL; // is not asked for: the most that isHopeless() allows
+  twin.squares = memory.fitter->robustSquares(memory.pixels, twin, pattern, best.photometry, ranked.noise, true);
+  return isHopeless(twin, best, ranked.noise);
+}
+
 // The fits on all pixels around the coarse ones; of both poses unless one is given up.
 RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, bool isOneGivenUp, FitSettings settings,
                         MarkerPattern &pattern, MeasureMemory &memory)
@@ -172,18 +186,27 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, boo
                            fitAll(memory.pixels, starts, pattern, settings, *memory.fitter), *memory.fitter);
   keepTwo(ranked);
   const bool isSmall = view.frame.size <= leastHopelessSize;
-  for (int round = 0; round < mostTwins && !isOneGivenUp && lacksTwin(ranked.fits, isSmall); ++round) {
+  // Of a clear marker the coarse fits have tried both poses, and if both led to one there is one.
+  const bool isTried = isOneGivenUp || (settings.isClear && fits.size() == 1);
+  for (int round = 0; round < mostTwins && !isTried && lacksTwin(ranked.fits, isSmall); ++round) {
+    const FittedPose best = ranked.fits[0];
+    if (!isSmall && ranked.fits.size() == 1 && isTwinHopeless(ranked, pattern, memory)) {
+      break;
+    }
     Few<FitStart> again;
-    again.push_back({mirrored(ranked.fits[0].plane), ranked.fits[0].photometry, ranked.noise});
+    again.push_back({mirrored(best.plane), best.photometry, ranked.noise});
     settings.samePixels = true;
     const Few<FittedPose> others = fitAll(memory.pixels, again, pattern, settings, *memory.fitter,
-                                          isSmall ? std::nullopt : std::make_optional(ranked.fits[0]));
+                                          isSmall ? std::nullopt : std::make_optional(best));
     if (others.empty()) {
       break;
     }
     ranked.fits.push_back(others[0]);
     ranked = rank(memory.pixels, pattern, true, ranked.fits, *memory.fitter);
     keepTwo(ranked);
+    if (isSamePose(best, others[0])) { // there is no other one
+      break;
+    }
   }
   return ranked;
 }
