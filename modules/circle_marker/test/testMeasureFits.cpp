@@ -183,6 +183,15 @@ TEST(MeasureFits, GivenUpPosesOfSmallMarkersAreFittedAgain)
   }
 }
 
+TEST(MeasureFits, ThePoseThatDoesNotComeToItsEndIsFittedAgainOnce)
+{
+  const MarkerScene scene = tilted(coded, 0.5, 30.);
+  const Outcome outcome =
+      outcomeOf(scene, recognised(scene, 8, false), true,
+                [&](FittedPose &fit, const ScriptedFitter::Asked &) { fit.isSettled = !isTwinOf(fit.plane, scene); });
+  EXPECT_EQ(outcome.onAllPixels(), 3);
+}
+
 TEST(MeasureFits, WhatBecomesTheBestHasItsMirrorImageFittedToo)
 {
   const MarkerScene scene = tilted(coded, 0.5, 30.);

@@ -204,7 +204,7 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, boo
     ranked.fits.push_back(others[0]);
     ranked = rank(memory.pixels, pattern, true, ranked.fits, *memory.fitter);
     keepTwo(ranked);
-    if (isSamePose(best, others[0])) { // there is no other one
+    if (isSamePose(best, ranked.fits[0])) { // its mirrored pose is that which was fitted
       break;
     }
   }
