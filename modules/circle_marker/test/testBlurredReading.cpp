@@ -121,6 +121,44 @@ TEST(BlurredReading, NothingWithoutACodeword)
       readBlurred(I, CameraModel(scene.camera()), outlineOf(scene, 0.), scene.radius, scene.family, leastMargin));
 }
 
+// Where a defocus wipes out alternating sectors other prints are like a codeword, but do not leave as little: here one
+// with two sectors of grey.
+TEST(BlurredReading, FarOutOfFocusNoSectorMayBeGrey)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  for (int i = 0; i < 3; ++i) {
+    MarkerScene scene = sceneOf(random, family);
+    vpImage<double> sharp = expose(side, side, lens, scene);
+    scene.word ^= 0x801U << (random() % 10);
+    const vpImage<double> other = expose(side, side, lens, scene);
+    for (unsigned int k = 0; k < sharp.getSize(); ++k) {
+      sharp.bitmap[k] = 0.5 * (sharp.bitmap[k] + other.bitmap[k]);
+    }
+    for (const int radius : {7, 10}) { // 0.18 and 0.25 of the outline
+      const auto reading = readBlurred(digitise(defocused(sharp, radius), 1., random), CameraModel(scene.camera()),
+                                       outlineOf(scene, 0.), scene.radius, family, leastMargin);
+      EXPECT_EQ(reading.has_value(), radius < 10) << i;
+    }
+  }
+}
+
+// Two dots of a grid were joined to an outline, and explained by a code that moves by three times its semi-major axis.
+TEST(BlurredReading, NothingThatMovesByMoreThanMarkersDo)
+{
+  constexpr int way = 30; // pixels, 0.64 of the semi-major axis, and 0.71 of one that is seen a tenth too small
+  Random random = randomOfTest();
+  const MarkerScene scene = sceneOf(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23));
+  const vpImage<unsigned char> I = digitise(moved(expose(side, side, lens, scene), way), 1., random);
+  for (const double share : {1., 0.9}) {
+    EllipseParameters outline = outlineOf(scene, way);
+    outline.a *= share;
+    outline.b *= share;
+    EXPECT_EQ(readBlurred(I, CameraModel(scene.camera()), outline, scene.radius, scene.family, leastMargin).has_value(),
+              share == 1.);
+  }
+}
+
 TEST(BlurredReading, NothingWithoutMarginOrTime)
 {
   Random random = randomOfTest();

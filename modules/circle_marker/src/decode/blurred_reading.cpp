@@ -59,10 +59,27 @@ constexpr int phases = 8;
 // A codeword that is seen through a blur leaves this share of the image's variance unexplained at most: those of true
 // markers leave a hundredth.
 constexpr double mostUnexplained = 0.05;
+// A defocus beyond this radius, in semi-major axes, has wiped out the finest of a code: of sectors that are black and
+// white in turn, 11.5 cycles around a track of mean radius 0.54, a disc shows nothing from 0.18 on (the first zero of
+// its transfer function). Then a codeword, too, may leave no more than so many times what sectors of any grey leave:
+// those of 25 true markers left up to 1.7, of codes of 19 sectors, which golay23 was read from, 2.3 and more.
+constexpr double wideDisc = 0.2;
+constexpr double mostOfAnySectors = 2.;
+// Nothing moves farther than this while it is seen, in semi-major axes: a marker on its way by a quarter of its
+// diameter is promised, and is read. A motion three times as long made two dots of a grid look like a code.
+constexpr double longestWay = 0.7;
 // A ring has no code to prove it.
 constexpr double mostUnexplainedOfRing = 0.02;
 // A codeword that leaves less than this unexplained is not looked for elsewhere.
 constexpr double sureUnexplained = 0.01;
+
+// Whether a codeword explains what sectors of any grey do, in a blur as there is.
+bool isCode(const BlurredFit &fit, double unexplained, const EllipseParameters &outline)
+{
+  const bool isFineSeen = fit.blur.disc < wideDisc * outline.a;
+  return fit.blur.motion.norm() < longestWay * outline.a &&
+         (isFineSeen || unexplained < mostOfAnySectors * fit.unexplained());
+}
 
 // The outline without what a motion adds to it; nothing if nothing is left.
 std::optional<EllipseParameters> shrunk(const EllipseParameters &ellipse, const Eigen::Vector2d &way)
@@ -352,6 +369,9 @@ std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const
       continue;
     }
     marker.improve(turned, finishedSteps, true);
+    if (turned.samples < manySamples / 4) {
+      continue; // they tell the sectors, but prove nothing
+    }
     const BestWords words = bestWords(turned, code, deadline);
     const auto identity = code.identify(words.best);
     if (!identity) {
@@ -363,10 +383,10 @@ std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const
     reading.code.id = identity->id;
     reading.code.margin = 1. - words.squares / words.next;
     reading.code.spin = 2. * M_PI * identity->rotation / family.getNbSectors();
-    if (!best || reading.unexplained < best->unexplained) {
+    if (isCode(turned, reading.unexplained, outline) && (!best || reading.unexplained < best->unexplained)) {
       best = reading;
     }
-    if (best->unexplained < sureUnexplained) {
+    if (best && best->unexplained < sureUnexplained) {
       break;
     }
   }
