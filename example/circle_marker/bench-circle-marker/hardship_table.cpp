@@ -88,13 +88,28 @@ double squaredMahalanobis(const vpHomogeneousMatrix &truth, const vpCircleMarker
   return vpColVector::dotProd(error, covariance.inverseByLU() * error);
 }
 
+// Cosine of the angle between the normals of two poses.
+double cosineBetweenNormals(const vpHomogeneousMatrix &one, const vpHomogeneousMatrix &other)
+{
+  return one[0][2] * other[0][2] + one[1][2] * other[1][2] + one[2][2] * other[2][2];
+}
+
+// Whether the pose that was told to be the less likely one is the true one.
+bool isMirrored(const vpHomogeneousMatrix &truth, const vpCircleMarkerDetection &detection)
+{
+  return detection.cost2 < HUGE_VAL &&
+         cosineBetweenNormals(truth, detection.cMo2) > cosineBetweenNormals(truth, detection.cMo);
+}
+
 struct Line
 {
   unsigned int frames = 0;
   unsigned int found = 0;
   unsigned int wrong = 0;        // read as another marker, or where there is none
   unsigned int misjudged = 0;    // visible share off by more than the slack
-  std::vector<double> distances; // squared Mahalanobis distances, by their degrees of freedom
+  unsigned int mirrored = 0;     // whose other pose is the true one
+  double mirroredOdds = 0.;      // greatest log-odds by which one of these was preferred
+  std::vector<double> distances; // of the others: squared Mahalanobis distances, by their degrees of freedom
 
   void add(const Line &other)
   {
@@ -102,6 +117,8 @@ struct Line
     found += other.found;
     wrong += other.wrong;
     misjudged += other.misjudged;
+    mirrored += other.mirrored;
+    mirroredOdds = std::max(mirroredOdds, other.mirroredOdds);
     distances.insert(distances.end(), other.distances.begin(), other.distances.end());
   }
 };
@@ -122,7 +139,7 @@ void write(std::ostream &out, const std::string &what, double level, Line line)
   else {
     out << mean << " | " << line.distances[line.distances.size() / 2] << " | " << line.distances.back();
   }
-  out << " | " << line.misjudged << " |" << std::endl;
+  out << " | " << line.mirrored << " | " << line.mirroredOdds << " | " << line.misjudged << " |" << std::endl;
 }
 
 // Whether the marker was found and rightly read.
@@ -139,7 +156,13 @@ bool judge(const Scene &scene, const vpDetectorCircleMarker &detector, Line &lin
     }
     isFound = true;
     ++line.found;
-    line.distances.push_back(squaredMahalanobis(truth.cMo, detection) / detection.dof);
+    if (isMirrored(truth.cMo, detection)) {
+      ++line.mirrored;
+      line.mirroredOdds = std::max(line.mirroredOdds, detection.logOdds);
+    }
+    else {
+      line.distances.push_back(squaredMahalanobis(truth.cMo, detection) / detection.dof);
+    }
     line.misjudged += std::abs(detection.visible - truth.visibleEdge) > visibleSlack ? 1 : 0;
   }
   return isFound;
@@ -152,7 +175,7 @@ void tellHardships(std::ostream &out, const std::string &family, unsigned int fr
   vpDetectorCircleMarker detector(vpCircleMarkerFamily::fromName(family));
   detector.setZAlignedWithCameraAxis(true);
   out << "| " << family << ": hardship | level | frames | found and rightly read | others | mean d^2/dof | median | "
-      << "greatest | visible off |\n|---|---|---|---|---|---|---|---|---|\n";
+      << "greatest | mirrored | by odds of e^ | visible off |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
   Line all;
   const Hardship *previous = nullptr;
   const auto sum = [&](const Hardship *next) {
