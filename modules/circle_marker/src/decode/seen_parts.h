@@ -23,6 +23,7 @@
 #include <cmath>
 
 #include "decode/code_track.h"
+#include "decode/cyclic_code.h"
 #include "pose/marker_plane.h"
 
 BEGIN_VISP_NAMESPACE
@@ -42,14 +43,50 @@ struct SeenParts
   bool holds(const Eigen::Vector2d &meter) const
   {
     const Eigen::Vector2d q = plane.intersect(meter);
-    const double turns = std::atan2(q.y(), q.x()) / (2. * M_PI) + 1.;
-    const std::size_t direction = static_cast<std::size_t>(turns * directions) % directions;
+    const std::size_t direction = directionOf(q);
     const double squared = q.squaredNorm();
     return squared > gap * gap ? ring[direction] : squared > core * core ? track[direction] : center[direction];
   }
 
+  /*! Whether a point of the image, in normalised coordinates, is on the code track, seen or not. */
+  bool isOnTrack(const Eigen::Vector2d &meter) const
+  {
+    const double squared = plane.intersect(meter).squaredNorm();
+    return squared <= gap * gap && squared > core * core;
+  }
+
+  /*!
+    Number of the borders between black and white sectors that are seen, with the directions beside them.
+    \param word : The code: its first bit of so many is sector 0.
+    \param sectors : Their number.
+    \param pose : The marker, with its spin.
+  */
+  unsigned int bordersSeen(CyclicCode::Word word, unsigned int sectors, const MarkerPlane &pose) const
+  {
+    const double middle = 0.5 * (gap + core);
+    unsigned int seen = 0;
+    for (unsigned int k = 0; k < sectors; ++k) {
+      const unsigned int before = (k + sectors - 1) % sectors;
+      const double angle = 2. * M_PI * k / sectors;
+      const std::size_t here =
+          directionOf(plane.intersect(pose.project(middle * Eigen::Vector2d(std::cos(angle), std::sin(angle)))));
+      const bool isEdge = (((word >> (sectors - 1 - k)) ^ (word >> (sectors - 1 - before))) & 1U) != 0;
+      const bool isSeen = track[here] && track[(here + 1) % directions] && track[(here + directions - 1) % directions];
+      seen += isEdge && isSeen ? 1 : 0;
+    }
+    return seen;
+  }
+
   /*! Share of the ring that is seen. */
   double share() const { return static_cast<double>(ring.count()) / directions; }
+
+private:
+  // The direction in which a point of the plane lies.
+  std::size_t directionOf(const Eigen::Vector2d &q) const
+  {
+    const double turns = std::atan2(q.y(), q.x()) / (2. * M_PI) + 1.;
+    return static_cast<std::size_t>(turns * directions) % directions;
+  }
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -45,6 +45,10 @@ constexpr int coarseIterations = 6;
 constexpr int mostLooks = 3;
 constexpr double farOff = 0.8; // pixels
 
+// Borders between black and white sectors that tell the spin of a covered marker. Where fewer are seen, as crossing
+// bars may leave of them, a fit to the rest turned a right spin by 16 to 180 degrees.
+constexpr unsigned int leastBorders = 3;
+
 // The coarse fits of a marker with one print.
 class CoarseFits
 {
@@ -153,11 +157,18 @@ BlurParameters boundedBlur(const BlurParameters &fitted)
 
 void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
 {
-  if (marker.seen) {
-    pixels.erase(std::remove_if(pixels.begin(), pixels.end(),
-                                [&](const FitPixel &pixel) { return !marker.seen->holds(pixel.meter.cast<double>()); }),
-                 pixels.end());
+  if (!marker.seen) {
+    return;
   }
+  const SeenParts &seen = *marker.seen;
+  const bool keepsTrack =
+      marker.family.isCoded() && seen.bordersSeen(marker.family.getCodeword(marker.code.id),
+                                                  marker.family.getNbSectors(), marker.poses[0]) < leastBorders;
+  const auto isCovered = [&](const FitPixel &pixel) {
+    const Eigen::Vector2d meter = pixel.meter.cast<double>();
+    return !seen.holds(meter) && !(keepsTrack && seen.isOnTrack(meter));
+  };
+  pixels.erase(std::remove_if(pixels.begin(), pixels.end(), isCovered), pixels.end());
 }
 
 RankedFits fitFewPixels(const MarkerInImage &view, const MarkerPattern &pattern, bool refine,

@@ -27,6 +27,8 @@ namespace {
 // The pixels are sorted again by what they see when the pose has moved by this share of what the sorting leaves room
 // for.
 constexpr double sortAgain = 0.5;
+// Or when the print has turned by so much, pixels: what sees a border between sectors has room for less than that.
+constexpr double turnedAgain = 1.5;
 // Or when the blur has become wider by this factor.
 constexpr double widerAgain = 1.2;
 // The correction of edges that bend strongly or lie under a shadow's edge is made again when pose, blur or shadow have
@@ -62,7 +64,8 @@ void FitPreparation::sort(const MarkerPlane &plane, const Photometry &photometry
 void FitPreparation::prepare(const MarkerPlane &plane, const Photometry &photometry, double noise)
 {
   // The surround is judged with the light and the noise.
-  if (m_sortedBlur == 0. || !m_memory.blocks.surrounds.empty() || motion(m_sorted, plane) > 0. || isWider(photometry)) {
+  if (m_sortedBlur == 0. || !m_memory.blocks.surrounds.empty() || printMotion(m_sorted, plane) > 0. ||
+      isWider(photometry)) {
     sort(plane, photometry, noise);
   }
   if (!m_isCorrected || hasOtherEdges(plane, photometry)) {
@@ -78,7 +81,8 @@ void FitPreparation::prepare(const MarkerPlane &plane, const Photometry &photome
 bool FitPreparation::isStale(const MarkerPlane &plane, const Photometry &photometry, double noise) const
 {
   const double sameLight = std::max(judgeAgain * m_judged.light, judgeAgainInNoise * noise);
-  return motion(m_sorted, plane) > m_sortAgain || isWider(photometry) ||
+  const double turned = printMotion(m_sorted, plane) / m_memory.blocks.reference.unit;
+  return motion(m_sorted, plane) > m_sortAgain || turned > turnedAgain || isWider(photometry) ||
          (!m_memory.blocks.surrounds.empty() && std::abs(photometry.light - m_judged.light) > sameLight);
 }
 

@@ -27,6 +27,7 @@
 #include "refine/fit_starts.h"
 #include "refine/missed_shadow.h"
 #include "refine/shadow.h"
+#include "refine/spin_search.h"
 #include "refine/surround.h"
 
 BEGIN_VISP_NAMESPACE
@@ -335,6 +336,9 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   if (refine && !ranked.fits.empty()) {
     givenUp = giveUpHopeless(view, ranked);
     ranked = fitAllPixels(view, ranked, givenUp.has_value(), settings, pattern, memory);
+    if (!ranked.fits.empty() && marker.isCertain && pattern.sectors > 0 && mayBeTurned(ranked.fits[0])) {
+      ranked = withBetterSpin(memory.pixels, ranked, pattern, settings, *memory.fitter);
+    }
     if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && mayBend(marker, pattern)) {
       ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
     }

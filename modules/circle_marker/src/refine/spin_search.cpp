@@ -1,0 +1,80 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The spin of a marker whose code is covered in part.
+ */
+
+#include "refine/spin_search.h"
+
+#include <cmath>
+
+#include "refine/fit_starts.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Of whole markers fewer pixels than this share are seldom explained; of one with a quarter of it covered, within the
+// ring, 0.68 were.
+constexpr double mostInliers = 0.8;
+// Spins that are tried on either side, to half a sector: of a track of 60 pixels diameter less than a pixel apart.
+constexpr int spins = 10;
+
+// The spin, from that of a fit, with which the pixels are explained best, rad.
+double bestTurn(const std::vector<FitPixel> &pixels, const RankedFits &ranked, const MarkerPattern &pattern,
+                Fitter &fitter)
+{
+  const FittedPose &best = ranked.fits[0];
+  const double step = M_PI / (spins * static_cast<double>(pattern.sectors));
+  double turn = 0.;
+  double least = HUGE_VAL;
+  for (int k = -spins; k <= spins; ++k) {
+    FittedPose turned = best;
+    turned.plane.spin(k * step);
+    const double squares = fitter.robustSquares(pixels, turned, pattern, best.photometry, ranked.noise, true);
+    if (squares < least) {
+      least = squares;
+      turn = k * step;
+    }
+  }
+  return turn;
+}
+} // namespace
+
+bool mayBeTurned(const FittedPose &fit)
+{
+  return fit.inliers < mostInliers;
+}
+
+RankedFits withBetterSpin(const std::vector<FitPixel> &pixels, const RankedFits &ranked, const MarkerPattern &pattern,
+                          FitSettings settings, Fitter &fitter)
+{
+  const double turn = bestTurn(pixels, ranked, pattern, fitter);
+  if (turn == 0.) {
+    return ranked;
+  }
+  MarkerPlane plane = ranked.fits[0].plane;
+  plane.spin(turn);
+  settings.samePixels = true;
+  Few<FitStart> starts;
+  for (const MarkerPlane &start : {plane, mirrored(plane)}) {
+    starts.push_back({start, ranked.fits[0].photometry, ranked.noise});
+  }
+  Few<FittedPose> fits = fitAll(pixels, starts, pattern, settings, fitter);
+  fits.push_back(ranked.fits[0]);
+  RankedFits turned = rank(pixels, pattern, true, fits, fitter);
+  keepTwo(turned);
+  return turned.fits[0].plane.rotation == ranked.fits[0].plane.rotation ? ranked : turned;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
