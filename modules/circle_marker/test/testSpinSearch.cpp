@@ -41,7 +41,7 @@ struct Searched
 };
 
 //! A search where pixels are explained best after a turn, and fits end where they start.
-Searched searched(const MarkerScene &scene, double turn)
+Searched searched(const MarkerScene &scene, double turn, const Deadline &deadline = Deadline())
 {
   ScriptedFitter fitter(
       [](const ScriptedFitter::Asked &asked) { return std::optional<FittedPose>(fitAt(asked.start)); });
@@ -55,7 +55,9 @@ Searched searched(const MarkerScene &scene, double turn)
   ranked.noise = noise;
   MarkerPattern pattern = patternOf(scene.family, 8, scene.family.getLayout().ringInner);
   Searched result;
-  result.ranked = withBetterSpin({}, ranked, pattern, FitSettings(), fitter);
+  FitSettings settings;
+  settings.deadline = deadline;
+  result.ranked = withBetterSpin({}, ranked, pattern, settings, fitter);
   result.asked = fitter.asked;
   return result;
 }
@@ -77,13 +79,15 @@ TEST(SpinSearch, AFitStartsWhereThePixelsAreExplainedBest)
   }
 }
 
-TEST(SpinSearch, NothingIsFittedWhereTheSpinIsRight)
+TEST(SpinSearch, NothingIsFittedWhereTheSpinIsRightOrAfterTheDeadline)
 {
   const MarkerScene scene = tilted(coded, 0.5);
-  const Searched result = searched(scene, 0.);
-  EXPECT_TRUE(result.asked.empty());
-  ASSERT_EQ(result.ranked.fits.size(), 1u);
-  EXPECT_EQ(turnBetween(scene.plane(), result.ranked.fits[0].plane), 0.);
+  for (const bool isLate : {false, true}) {
+    const Searched result = searched(scene, isLate ? 0.1 : 0., isLate ? Deadline(1e-6) : Deadline());
+    EXPECT_TRUE(result.asked.empty());
+    ASSERT_EQ(result.ranked.fits.size(), 1u);
+    EXPECT_EQ(turnBetween(scene.plane(), result.ranked.fits[0].plane), 0.);
+  }
 }
 
 // A cover within the ring, seen in `bench-circle-marker --hardships`: what it left of the sectors was read 1.4 degrees

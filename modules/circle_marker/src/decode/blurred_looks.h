@@ -33,10 +33,13 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
   Fits with sectors of any grey to the image around a blurred outline, by few samples and a few steps: from both poses
-  of the outline, out of focus by some discs, and moved in some directions by some ways. \param marker : The marker in
-  the image. \param camera : Its camera. \param outline : Ellipse of the blurred outline, pixels. \param radius : Outer
-  radius of the ring, metres. \param deadline : When to stop. \return The best two, the best first; fewer if nothing
-  like the marker is there.
+  of the outline, out of focus by some discs, and moved in some directions by some ways.
+  \param marker : The marker in the image.
+  \param camera : Its camera.
+  \param outline : Ellipse of the blurred outline, pixels.
+  \param radius : Outer radius of the ring, metres.
+  \param deadline : When to stop.
+  \return The best two, the best first; fewer if nothing like the marker is there.
 */
 std::vector<BlurredFit> bestLooks(BlurredMarker &marker, const CameraModel &camera, const EllipseParameters &outline,
                                   double radius, const Deadline &deadline);

@@ -27,7 +27,8 @@ namespace {
 // The pixels are sorted again by what they see when the pose has moved by this share of what the sorting leaves room
 // for.
 constexpr double sortAgain = 0.5;
-// Or when the print has turned by so much, pixels: what sees a border between sectors has room for less than that.
+// Or when the print has turned by so much, pixels: then of a sharp picture's borders between sectors no more is seen
+// than to 2.5 standard deviations of the blur.
 constexpr double turnedAgain = 1.5;
 // Or when the blur has become wider by this factor.
 constexpr double widerAgain = 1.2;

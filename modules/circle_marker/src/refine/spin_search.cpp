@@ -30,15 +30,18 @@ constexpr double mostInliers = 0.8;
 // Spins that are tried on either side, to half a sector: of a track of 60 pixels diameter less than a pixel apart.
 constexpr int spins = 10;
 
-// The spin, from that of a fit, with which the pixels are explained best, rad.
+// The turn from a fit's spin with which the pixels are explained best, rad; none after the deadline.
 double bestTurn(const std::vector<FitPixel> &pixels, const RankedFits &ranked, const MarkerPattern &pattern,
-                Fitter &fitter)
+                const Deadline &deadline, Fitter &fitter)
 {
   const FittedPose &best = ranked.fits[0];
   const double step = M_PI / (spins * static_cast<double>(pattern.sectors));
   double turn = 0.;
   double least = HUGE_VAL;
   for (int k = -spins; k <= spins; ++k) {
+    if (deadline.hasPassed()) {
+      return 0.;
+    }
     FittedPose turned = best;
     turned.plane.spin(k * step);
     const double squares = fitter.robustSquares(pixels, turned, pattern, best.photometry, ranked.noise, true);
@@ -59,7 +62,7 @@ bool mayBeTurned(const FittedPose &fit)
 RankedFits withBetterSpin(const std::vector<FitPixel> &pixels, const RankedFits &ranked, const MarkerPattern &pattern,
                           FitSettings settings, Fitter &fitter)
 {
-  const double turn = bestTurn(pixels, ranked, pattern, fitter);
+  const double turn = bestTurn(pixels, ranked, pattern, settings.deadline, fitter);
   if (turn == 0.) {
     return ranked;
   }
@@ -71,7 +74,9 @@ RankedFits withBetterSpin(const std::vector<FitPixel> &pixels, const RankedFits 
     starts.push_back({start, ranked.fits[0].photometry, ranked.noise});
   }
   Few<FittedPose> fits = fitAll(pixels, starts, pattern, settings, fitter);
-  fits.push_back(ranked.fits[0]);
+  for (const FittedPose &fit : ranked.fits) {
+    fits.push_back(fit);
+  }
   RankedFits turned = rank(pixels, pattern, true, fits, fitter);
   keepTwo(turned);
   return turned.fits[0].plane.rotation == ranked.fits[0].plane.rotation ? ranked : turned;

@@ -24,16 +24,19 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Whether a fit leaves so many pixels out that something covers a part of the code, which may have turned its start.
- */
+/*! Whether a fit leaves out so many pixels that something may cover a part of the code, and has turned its start. */
 bool mayBeTurned(const FittedPose &fit);
 
 /*!
   Looks up to half a sector to either side whether the pixels are explained better with another spin, and fits both
   poses from there. What covers a part of a code draws its reading aside by some hundredths of a turn, where the true
-  borders between sectors are outliers: a fit does not find back to them. \param pixels : The pixels, those that the
-  fitter has. \param ranked : The fits, at least one. \param pattern : The print, with a code. \param settings : Of the
-  fits. \param fitter : Fits. \return The better fits, or those that there were.
+  borders between sectors are outliers: a fit does not find back to them.
+  \param pixels : The pixels, those that the fitter has.
+  \param ranked : The fits, at least one.
+  \param pattern : The print, with a code.
+  \param settings : Of the fits. After their deadline nothing is sought.
+  \param fitter : Fits.
+  \return The better fits, or those that there were.
 */
 RankedFits withBetterSpin(const std::vector<FitPixel> &pixels, const RankedFits &ranked, const MarkerPattern &pattern,
                           FitSettings settings, Fitter &fitter);
