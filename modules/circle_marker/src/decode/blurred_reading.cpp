@@ -30,7 +30,8 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Samples of the fit, and its steps. Fewer samples, with some thirty unknowns, prove nothing: true markers have 200.
+// Samples of the fit, the fewest that prove something, with some thirty unknowns (500 true markers had 200 and more, by
+// a private count), and its steps.
 constexpr std::size_t manySamples = 500;
 constexpr std::size_t leastSamples = 125;
 constexpr int finishedSteps = 10;
@@ -42,7 +43,8 @@ constexpr double mostUnexplained = 0.05;
 // A defocus beyond this radius, in semi-major axes, has wiped out the finest of a code: of sectors that are black and
 // white in turn, 11.5 cycles around a track of mean radius 0.54, a disc shows nothing from 0.18 on (the first zero of
 // its transfer function). Then a codeword, too, may leave no more than so many times what sectors of any grey leave:
-// those of 25 true markers left up to 1.7, of codes of 19 sectors, which golay23 was read from, 2.3 and more.
+// those of 25 true markers left up to 1.7, of codes of 19 sectors, which golay23 was read from, 2.3 and more (private
+// counts).
 constexpr double wideDisc = 0.2;
 constexpr double mostOfAnySectors = 2.;
 // No marker that moved farther than this is read, in semi-major axes: a quarter of its diameter, half of this axis, is

@@ -67,8 +67,8 @@ struct LikelyCode
   \param family : Family of the marker, with a code.
   \param track : Working memory.
   \param deadline : When to stop: there is no result then.
-  \return Nothing where the model does not hold: where the sensor cannot tell how bright the paper is by more than a tenth
-  of the contrast, at the image's border.
+  \return Nothing where the model does not hold: where the sensor cannot tell how bright the paper is by more than a
+  tenth of the contrast, at the image's border.
 */
 std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const CameraModel &camera,
                                          const FittedPose &fit, const ImageFrame &frame,

@@ -27,7 +27,8 @@ namespace {
 // Of whole markers fewer pixels than this share are seldom explained; of one with a quarter of it covered, within the
 // ring, 0.68 were.
 constexpr double mostInliers = 0.8;
-// Spins that are tried on either side, to half a sector: of a track of 60 pixels diameter less than a pixel apart.
+// Spins that are tried on either side, to half a sector: half a pixel apart on a track of 60 pixels diameter, one and a
+// half on one of 200. On larger ones a sharp picture's best spin may lie between two.
 constexpr int spins = 10;
 
 // The turn from a fit's spin with which the pixels are explained best, rad; none after the deadline.
