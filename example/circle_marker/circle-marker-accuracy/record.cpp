@@ -23,6 +23,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/csv.h"
 #include "record.h"
 
 namespace accuracy {
@@ -75,20 +76,6 @@ constexpr NumberColumn numberColumns[] = {
     {"predicted_wrong", &Record::predicted},
     {"cpu_ms", &Record::milliseconds},
 };
-
-std::vector<std::string> fieldsOf(const std::string &line)
-{
-  std::vector<std::string> fields(1);
-  for (const char letter : line) {
-    if (letter == ',') {
-      fields.emplace_back();
-    }
-    else {
-      fields.back() += letter;
-    }
-  }
-  return fields;
-}
 
 std::ifstream opened(const std::string &file)
 {
@@ -169,7 +156,7 @@ std::vector<Record> readCsv(const std::string &file)
     if (line.rfind('#', 0) == 0) {
       continue;
     }
-    const std::vector<std::string> fields = fieldsOf(line);
+    const std::vector<std::string> fields = common::fieldsOf(line);
     if (names.empty()) {
       names = fields;
       continue;

@@ -19,6 +19,7 @@
 #include <map>
 #include <sstream>
 
+#include "common/csv.h"
 #include "run_data.h"
 #include "run_header.h"
 
@@ -26,20 +27,6 @@ namespace experiments {
 namespace {
 constexpr std::size_t columnCount = 22;
 constexpr const char *remedy = "; name another folder with --output, or remove the file to begin anew";
-
-std::vector<std::string> fieldsOf(const std::string &line)
-{
-  std::vector<std::string> fields(1);
-  for (const char letter : line) {
-    if (letter == ',') {
-      fields.emplace_back();
-    }
-    else {
-      fields.back() += letter;
-    }
-  }
-  return fields;
-}
 
 std::optional<Deviation> deviationFrom(const std::vector<std::string> &fields, std::size_t first)
 {
@@ -140,7 +127,7 @@ RunData dataFrom(const std::string &csv, const std::string &file, const Experime
       isPastTitles = true;
       continue;
     }
-    const std::vector<std::string> fields = fieldsOf(line);
+    const std::vector<std::string> fields = common::fieldsOf(line);
     const auto place = fields.size() == columnCount ? places.find(fields[0]) : places.end();
     if (place == places.end()) {
       throw DataError("line " + std::to_string(number) + " of \"" + file + "\" is not of this experiment" + remedy);
