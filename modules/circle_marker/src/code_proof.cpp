@@ -96,28 +96,19 @@ constexpr double mostNoiseIfFaint = 1.1;
 constexpr double mostUnlikeIfCertain = 0.1;
 constexpr double leastCorrelation = 0.97;
 
-double contrastOf(const FittedPose &fit)
-{
-  return fit.photometry.light * fit.photometry.contrast(); // grey levels
-}
-
 // Whether the likeliest code stands alone, and the whole measurement with it leaves noise alone.
 bool isOverwhelming(const LikelyCode &code, const CodeToProve &what)
 {
-  const double most = noiseAlone * std::max(what.noise, rounding) + lackingAlone * contrastOf(what.fit);
+  const double most =
+      noiseAlone * std::max(what.noise, rounding) + lackingAlone * what.fit.photometry.tellableContrast();
   return code.odds > overwhelmingOdds && what.fit.noise < most && what.fit.inliers > leastInliersAlone;
 }
 
-// Whether a fit leaves no more of the image than one of a print does: noise, and a share of the contrast. No sensor
-// tells more than white, nor ink darker than black: a fit of what is no marker may find its contrast there, but that is
-// not what is left to be explained.
+// Whether a fit leaves no more of the image than one of a print does: noise, and a share of the contrast.
 bool leavesLittle(const FittedPose &fit, double noise, double share)
 {
-  constexpr double white = 255.;
-  const double paper = std::min(fit.photometry.light, white);
-  const double ink = std::max(fit.photometry.light * (1. - fit.photometry.contrast()), 0.);
   return fit.photometry.contrast() < 1. + share &&
-         fit.noise < mostNoise * std::max(noise, rounding) + share * (paper - ink);
+         fit.noise < mostNoise * std::max(noise, rounding) + share * fit.photometry.tellableContrast();
 }
 
 // Whether a fit on so many pixels leaves no more than one at the right pose, where a code has such odds.
@@ -129,7 +120,7 @@ bool isAtRightPose(const CodeToProve &what, double odds)
     const bool isDoubted = !what.isCertain && odds < clearOdds;
     const double byChance = 1. + mostDeviations / std::sqrt(2. * static_cast<double>(what.pixels));
     const double factor = isDoubted ? std::min(most.noise, byChance) : most.noise;
-    return fit.noise < factor * noise + most.lacking * contrastOf(fit);
+    return fit.noise < factor * noise + most.lacking * fit.photometry.tellableContrast();
   };
   const auto most = std::find_if(mostLeftByOdds.begin(), mostLeftByOdds.end(),
                                  [odds](const MostLeft &some) { return odds < some.odds; });
@@ -141,7 +132,7 @@ double leastOddsOf(const CodeToProve &what)
 {
   const CyclicCode &code = codeOf(what.family);
   const bool isDense = code.getLength() - code.getDimension() < fewChecks;
-  const bool isNoisy = what.noise > muchNoise * contrastOf(what.fit);
+  const bool isNoisy = what.noise > muchNoise * what.fit.photometry.tellableContrast();
   return what.isCertain ? leastOdds : isDense && isNoisy ? leastOddsInNoise : leastOddsIfUncertain;
 }
 } // namespace

@@ -90,7 +90,7 @@ struct Doubts
 Doubts doubtsOf(double noise, double support, const Recognition &marker, const FittedPose &fit)
 {
   Doubts doubts;
-  doubts.contrast = fit.photometry.contrast() * fit.photometry.light;
+  doubts.contrast = fit.photometry.tellableContrast();
   doubts.isCorrected = marker.code.hamming > 0;
   doubts.isNoisy = fit.noise > mostNoiseOfWhole * noise + mostLackingOfWhole * doubts.contrast;
   doubts.isFaint = fit.correlation < correlationOfPrint;

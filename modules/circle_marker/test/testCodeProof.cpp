@@ -136,6 +136,17 @@ TEST(CodeProof, WhatIsProvenLooksLikeAPrint)
   EXPECT_FALSE(proves(200., blackerThanBlack, 2., true));
 }
 
+// A letter was read as a golay23, with odds of e^34.
+TEST(CodeProof, WhatNoSensorTellsIsNoContrastToLackAShareOf)
+{
+  FittedPose fit = fitThatLeaves(6.2); // 1.2 times the noise and 0.3 % of 255 are 6.4
+  fit.photometry.light = 515.;
+  fit.photometry.absorption = 1.;
+  EXPECT_TRUE(proves(40.1, fit, 4.7, false));
+  fit.noise = 6.8; // and of 515, 7.2
+  EXPECT_FALSE(proves(40.1, fit, 4.7, false));
+}
+
 TEST(CodeProof, WhatPrintsLeaveIsNoiseAndSomeOfTheContrast)
 {
   EXPECT_TRUE(leavesWhatPrintsLeave(fitThatLeaves(7.), 2.)); // 1.3 times 2 and 3 % of 150

@@ -87,3 +87,19 @@ TEST(Photometry, GreyLevelsAreTheLightToThePowerOfGamma)
   photometry.absorption = 1.02;
   EXPECT_EQ(photometry.contrast(), 1.02);
 }
+
+TEST(Photometry, ASensorTellsNoMoreThanWhiteAndNoLessThanBlack)
+{
+  Photometry photometry;
+  photometry.light = 200.;
+  photometry.absorption = 0.75;
+  EXPECT_NEAR(photometry.tellableContrast(), 150., 1e-9);
+  photometry.absorption = 1.2; // ink at -40
+  EXPECT_NEAR(photometry.tellableContrast(), 200., 1e-9);
+  photometry.light = 400.;
+  EXPECT_NEAR(photometry.tellableContrast(), 255., 1e-9);
+  photometry.absorption = 0.5; // ink at 200
+  EXPECT_NEAR(photometry.tellableContrast(), 55., 1e-9);
+  photometry.absorption = 0.25; // at 300
+  EXPECT_EQ(photometry.tellableContrast(), 0.);
+}

@@ -62,6 +62,12 @@ double Photometry::contrast() const
   return absorption < 1. ? 1. - std::pow(1. - absorption, gamma) : absorption;
 }
 
+double Photometry::tellableContrast() const
+{
+  constexpr double white = 255.;
+  return std::max(std::min(light, white) - std::max(light * (1. - contrast()), 0.), 0.);
+}
+
 double Shadow::leavesAt(const Eigen::Vector2d &offset) const
 {
   const double beyond = Eigen::Vector2d(std::cos(direction), std::sin(direction)).dot(offset) - edge;

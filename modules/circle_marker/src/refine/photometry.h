@@ -89,6 +89,13 @@ struct Photometry
   /*! 1 - black / white, of the grey levels. */
   double contrast() const;
 
+  /*!
+    Grey levels from ink to paper that a sensor can tell, none brighter than 255 nor darker than 0. A fit of what is no
+    marker may find its contrast beyond: a letter was one of 515 grey levels, with a third of the noise for what the
+    model may lack.
+  */
+  double tellableContrast() const;
+
   /*! Grey level of white paper at a place in the coordinates of ImageFrame. */
   double whiteAt(const Eigen::Vector2d &offset) const;
 
