@@ -87,6 +87,14 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
                           const Measurement &measurement, MeasureMemory &memory);
 
 /*!
+  Whether the code track shows another code in plain sight, though by what the fit left out it was taken for this one
+  with something in front: at the measured pose its pixels are ink where the codeword has white and paper where it has
+  black, between ring and centre as they should be. Asked of covered markers, and of others if pixels were left out.
+*/
+bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                    const Measurement &measurement, MeasureMemory &memory);
+
+/*!
   A marker that was read as a whole one although something covers a part of it, to be measured again without that: its
   parts that are not seen are those that the measured ring and its codeword do not explain.
   \param I : The image.

@@ -295,6 +295,9 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
   }
   if (measurement && settings.refinePose && !isProofWanted) {
     measurement = withoutCover(visit, outline, *measurement, marker, workspace);
+    if (measurement && showsOtherCode(visit.I, visit.camera, marker, *measurement, workspace.measuring)) {
+      return false;
+    }
   }
   if (!measurement || (settings.refinePose && !isNoise(measurement->first.noise, visit.noise))) {
     return false;

@@ -17,6 +17,8 @@
 
 #include "testTrackTools.h"
 
+#include <bitset>
+
 #include "decode/word_evidence.h"
 
 using namespace track_test;
@@ -165,6 +167,43 @@ TEST(WordEvidence, AnotherPrintIsNoCoverUnlessTheRingIsHiddenWithIt)
     EXPECT_TRUE(evidence.isOtherPrint(likeliest, seen));
     seen.ring = seen.track; // what hides one hides the other: bars
     EXPECT_FALSE(evidence.isOtherPrint(likeliest, seen));
+  }
+}
+
+TEST(WordEvidence, AnotherCodeShowsInPlainSightAndACoverDoesNot)
+{
+  TrackMemory memory;
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::BCH31R);
+  constexpr double sectors = 31.;
+  for (int i = 0; i < 10; ++i) {
+    const MarkerScene marker = scene(random, family);
+    CyclicCode::Word other = family.getCodeword(0);
+    if (other == marker.word) {
+      other = family.getCodeword(1);
+    }
+    const auto otherColours = [&](const vpImage<unsigned char> &I, CyclicCode::Word word) {
+      const TrackPixels pixels(I, CameraModel(marker.camera()), measuredRing(marker), family, memory);
+      WordEvidence evidence(pixels);
+      evidence.turnTo(0.);
+      return evidence.otherColours(word);
+    };
+    const auto count = [](CyclicCode::Word word) { return static_cast<double>(std::bitset<32>(word).count()); };
+    // Sectors that are another one count, but for those of their pixels that are at rims and borders, which are many on
+    // the narrow side of a tilted marker.
+    const OtherColours plain = otherColours(covered(marker, 0, 0.), other);
+    const double white = count(marker.word & ~other) / sectors; // by the other word
+    const double black = count(other & ~marker.word) / sectors;
+    EXPECT_GT(plain.ink + plain.paper, 0.1 * (white + black));
+    EXPECT_LT(plain.ink, 1.2 * white);
+    EXPECT_LT(plain.paper, 1.2 * black);
+    // Of its own word nothing is left; and a cover like ink hides gap and centre as well, one like paper the ring.
+    for (const double grey : {marker.black, marker.white}) {
+      for (const unsigned int hidden : {0U, 9U}) {
+        const OtherColours own = otherColours(covered(marker, hidden, grey), marker.word);
+        EXPECT_LT(own.ink + own.paper, 0.01) << hidden << " sectors are hidden";
+      }
+    }
   }
 }
 

@@ -37,6 +37,13 @@ struct LikeliestWord
   double contradicted = 0.; //!< Sectors that the pixels tell to be the other kind.
 };
 
+/*! What is ink or paper on a track, in plain sight, though a word has the other there: shares of all its pixels. */
+struct OtherColours
+{
+  double ink = 0.;   //!< Where the word has white.
+  double paper = 0.; //!< Where it has black.
+};
+
 /*!
   What the pixels of a covered code track say of words.
 
@@ -75,6 +82,12 @@ public:
     \param seen : What is seen of the marker, without what the word does not explain: leaveOutUnexplained().
   */
   bool isOtherPrint(CyclicCode::Word word, const SeenParts &seen) const;
+
+  /*!
+    What is ink or paper from rim to rim of the track though a word has the other, where ring, gap and centre beside it
+    are what they should be: hardly anything that covers a track ends at its rims, but another code does.
+  */
+  OtherColours otherColours(CyclicCode::Word word) const;
 
   /*!
     Leaves out of what is seen of ring, track and centre the directions in which a word does not explain the pixels, and

@@ -45,6 +45,10 @@ constexpr double muchOfTrack = 0.2;
 constexpr double likePrint = 0.15;
 // And it is scattered: in so many places around the marker, where one cover is in one or two.
 constexpr int placesOfPrint = 4;
+// Share of the pixels beside a part of the track that may be other than they should be and it still be in plain sight.
+constexpr double mostUnexplainedBeside = 0.05;
+// Share of such a part's own pixels that are of another colour, from rim to rim: along the edge of a cover it is less.
+constexpr double leastOfDepth = 0.8;
 
 // Runs of directions, most of a sector long, in which the track is not seen though the ring is, to a sector around:
 // what crosses a marker hides both.
@@ -88,6 +92,28 @@ struct Count
   unsigned int all = 0;
   unsigned int unexplained = 0;
 };
+
+// Pixels of the parts of a track, those that are of another colour, and of what is beside it.
+struct PartCounts
+{
+  std::array<unsigned int, mostSamples> all{};   // of the track
+  std::array<unsigned int, mostSamples> ink{};   // where the word has white
+  std::array<unsigned int, mostSamples> paper{}; // where it has black
+  std::array<Count, mostSamples> beside{};       // of ring, gap and centre
+};
+
+// Whether ring, gap and centre are what they should be beside a part of so many, to a quarter of a sector.
+bool isInPlainSight(const PartCounts &counts, unsigned int part, unsigned int parts)
+{
+  constexpr unsigned int reach = partsPerSector / 4;
+  Count near;
+  for (unsigned int k = 0; k <= 2 * reach; ++k) {
+    const Count &here = counts.beside[(part + parts + k - reach) % parts];
+    near.all += here.all;
+    near.unexplained += here.unexplained;
+  }
+  return near.all > 0 && near.unexplained <= mostUnexplainedBeside * near.all;
+}
 } // namespace
 
 // What a word leaves of the pixels of the track; of one that something covers no more than what it may be off.
@@ -153,6 +179,42 @@ bool WordEvidence::isOtherPrint(CyclicCode::Word word, const SeenParts &seen) co
   const bool isInside =
       seen.share() > wholeRing && unexplained > muchOfTrack * all && ink + paper > likePrint * unexplained;
   return hasBoth || isInside;
+}
+
+OtherColours WordEvidence::otherColours(CyclicCode::Word word) const
+{
+  const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
+  const std::uint64_t bits = extended(word, m_sectors);
+  const unsigned int parts = partsPerSector * m_sectors;
+  PartCounts counts;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const Explained &placed = m_explained[i];
+    const std::size_t part = pixels[i].partOf(parts);
+    const bool isSo = (placed.byColours >> coloursAt(bits, placed.sector, m_sectors)) & 1U;
+    if (placed.isOnTrack) {
+      ++counts.all[part];
+      counts.ink[part] += !isSo && std::abs(pixels[i].level) < m_slack ? 1 : 0;
+      counts.paper[part] += !isSo && (placed.isCutOff || std::abs(1. - pixels[i].level) < m_slack) ? 1 : 0;
+    }
+    else if (pixels[i].track < 2. * m_slack) {
+      ++counts.beside[part].all;
+      counts.beside[part].unexplained += isSo ? 0 : 1;
+    }
+  }
+  OtherColours other;
+  double onTrack = 0.;
+  for (unsigned int part = 0; part < parts; ++part) {
+    const unsigned int either = counts.ink[part] + counts.paper[part];
+    onTrack += counts.all[part];
+    if (either > leastOfDepth * counts.all[part] && isInPlainSight(counts, part, parts)) {
+      other.ink += counts.ink[part];
+      other.paper += counts.paper[part];
+    }
+  }
+  const double perPixel = 1. / std::max(onTrack, 1.);
+  other.ink *= perPixel;
+  other.paper *= perPixel;
+  return other;
 }
 
 void WordEvidence::leaveOutUnexplained(CyclicCode::Word word, SeenParts &seen) const
