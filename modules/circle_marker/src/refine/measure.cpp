@@ -26,6 +26,7 @@
 #include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"
 #include "refine/missed_shadow.h"
+#include "refine/pose_odds.h"
 #include "refine/shadow.h"
 #include "refine/spin_search.h"
 #include "refine/surround.h"
@@ -243,12 +244,6 @@ bool isExplained(const FittedPose &best, const MarkerInImage &view, bool hasCode
   return best.correlation >= least && best.inliers >= leastInliers && isLikeCamera && isPlausible(best, view);
 }
 
-// Half of a robust sum of squares, in units of the noise's variance: a negative log-likelihood.
-double costOf(double squares, double noise)
-{
-  return squares / (2. * noise * noise);
-}
-
 FitSettings settingsFor(const MarkerInImage &view, const MarkerPattern &pattern, const Deadline &deadline)
 {
   const Recognition &marker = view.marker;
@@ -265,14 +260,6 @@ FitSettings settingsFor(const MarkerInImage &view, const MarkerPattern &pattern,
     settings.shadow = shadowOn(view.I, view.camera, view.frame, marker.poses[0], marker.family.getLayout().quietZone);
   }
   return settings;
-}
-
-// The log-odds of poses that are not refined. Each leaves more than at its minimum beside it, by the decrement k, by
-// chance: as much as that varies, a variance of k^2, is added to that of the log-odds D, which is 2 D.
-double unrefinedOdds(double odds, const FittedPose &first, double noise)
-{
-  const double k = costOf(first.decrement, noise);
-  return 2. * odds * odds / std::max(2. * odds + k * k, 1e-9);
 }
 
 // A second pose that is not refined.
@@ -302,11 +289,12 @@ Measurement measurementOf(const RankedFits &ranked, const std::optional<GivenUp>
   result.cost = costOf(fits[0].squares, ranked.noise);
   if (fits.size() > 1 && !isSamePose(fits[0], fits[1])) {
     result.second = fits[1];
-    result.cost2 = costOf(fits[1].squares, ranked.noise);
+    const double odds = costOf(fits[1].squares - fits[0].squares, ranked.noise);
+    result.cost2 = result.cost + coherentOdds(odds, fits[0], fits[1], ranked.noise);
   }
   else if (givenUp) {
     result.second = givenUp->fit;
-    result.cost2 = result.cost + givenUp->moreCost;
+    result.cost2 = result.cost + coherentOdds(givenUp->moreCost, fits[0], givenUp->fit, ranked.noise);
   }
   return result;
 }

@@ -1,0 +1,54 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * How far a likelihood is believed that prefers one pose to the other.
+ */
+
+#include "refine/pose_odds.h"
+
+#include <algorithm>
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// Log-odds D whose variance, 2 D, has that of costs in it that are off by k.
+double loweredBy(double k, double odds)
+{
+  return 2. * odds * odds / std::max(2. * odds + k * k, 1e-9);
+}
+} // namespace
+
+double costOf(double squares, double noise)
+{
+  return squares / (2. * noise * noise);
+}
+
+double unrefinedOdds(double odds, const FittedPose &first, double noise)
+{
+  return loweredBy(costOf(first.decrement, noise), odds);
+}
+
+double coherentOdds(double odds, const FittedPose &first, const FittedPose &second, double noise)
+{
+  if (first.coherence <= 1.) {
+    return odds;
+  }
+  double behind = 0.; // grey levels^2
+  for (const FittedPose *fit : {&first, &second}) {
+    behind += fit->isSettled ? 0. : std::max(fit->decrement, 0.);
+  }
+  return loweredBy(costOf(behind, noise) / first.coherence, odds / first.coherence);
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
