@@ -76,7 +76,10 @@ TEST(DetectorInterface, PoseForAnotherSize)
     EXPECT_LT(differenceOf(pose2, cMo2[i]), 1e-3);
     EXPECT_NEAR(error, errors[i], 0.01 * errors[i]);
     EXPECT_NEAR(error2, errors2[i], 0.01 * errors2[i]);
-    ASSERT_TRUE(detector.getPose(i, 3. * size, straightCamera(), pose));
+    vpMatrix covariance;
+    ASSERT_TRUE(detector.getPose(i, 3. * size, straightCamera(), pose, nullptr, nullptr, nullptr, &covariance));
+    const double ratio = covariance[2][2] / detector.getCovariance(i)[2][2]; // of the variances of the depth
+    EXPECT_NEAR(ratio, 9., 0.2);
     EXPECT_LT((translationOf(pose) - 3. * translationOf(cMo[i])).norm(), 1e-3 * translationOf(pose).z());
     EXPECT_LT((rotationOf(pose) - rotationOf(cMo[i])).norm(), 1e-3);
   }

@@ -220,6 +220,32 @@ TEST(DetectorScenes, PolaritySaysWhichAreFound)
   }
 }
 
+// The black inside of a white ring was taken for a disc, a quarter farther away than the ring.
+TEST(DetectorScenes, AWhiteRingIsNoBlackDisc)
+{
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector;
+  detector.setPolarity(vpCircleMarkerPolarity::BOTH);
+  detector.setFamilies({vpCircleMarkerFamily::RING, vpCircleMarkerFamily::DISC});
+  for (int i = 0; i < 10; ++i) {
+    const vpHomogeneousMatrix ring =
+        randomPose(random, uniform(random, 60., 120.), uniform(random, 0.2, 0.8), 170., 240.);
+    const vpHomogeneousMatrix disc =
+        randomPose(random, uniform(random, 60., 120.), uniform(random, 0.2, 0.8), 470., 240.);
+    const vpImage<unsigned char> I = imageOf(straightCamera(),
+                                             {printed(vpCircleMarkerFamily::DISC, -1).setPose(disc),
+                                              printed(vpCircleMarkerFamily::RING, -1).setInverse(true).setPose(ring)},
+                                             random);
+    std::vector<vpHomogeneousMatrix> cMo;
+    detector.detect(I, size, straightCamera(), cMo);
+    ASSERT_EQ(detector.getNbObjects(), 2u) << i;
+    EXPECT_EQ(detector.getDetections()[0].family.getType(), vpCircleMarkerFamily::DISC);
+    EXPECT_EQ(detector.getDetections()[1].family.getType(), vpCircleMarkerFamily::RING);
+    EXPECT_TRUE(detector.getDetections()[1].isInverse);
+    EXPECT_NEAR(cMo[1][2][3], ring[2][3], 0.01 * ring[2][3]);
+  }
+}
+
 TEST(DetectorScenes, InverseMarkersAreTracked)
 {
   Random random = randomOfTest();

@@ -123,6 +123,7 @@ private:
   void detectBlack(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
                    const circle_marker::Deadline &deadline);
   void addInverse(Impl &inverse);
+  void dropInsideOf(const Found &ring);
   circle_marker::SoughtCenters soughtCenters() const;
   bool searchRegions(const Visit &visit);
   void searchWhole(const Visit &visit);

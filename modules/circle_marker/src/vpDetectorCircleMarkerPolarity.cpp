@@ -18,6 +18,7 @@
 #include "vpDetectorCircleMarkerImpl.h"
 
 #include <algorithm>
+#include <cmath>
 
 BEGIN_VISP_NAMESPACE
 
@@ -69,11 +70,39 @@ void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, doubl
 }
 
 /*!
+  Takes the black inside of a white ring, which looks like a disc, out of what was found: it is the ring of the family's
+  ratio that is seen, at another distance.
+*/
+void vpDetectorCircleMarker::Impl::dropInsideOf(const Found &ring)
+{
+  constexpr double mostOff = 0.05; // outer radii
+  if (ring.marker.family.getType() != vpCircleMarkerFamily::RING) {
+    return;
+  }
+  const EllipseParameters &outer = ring.outline.ellipse;
+  const auto isInside = [&](const Found &other) {
+    const EllipseParameters &outline = other.outline.ellipse;
+    return other.marker.family.getType() == vpCircleMarkerFamily::DISC &&
+           (outline.center - outer.center).norm() < mostOff * outer.a &&
+           std::abs(outline.a - ring.marker.ringInner * outer.a) < mostOff * outer.a;
+  };
+  for (std::size_t k = found.size(); k-- > 0;) {
+    if (isInside(found[k])) {
+      found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+      detections.erase(detections.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
+}
+
+/*!
   Adds what a detector found in the negative, but for what is a piece of a marker that was found already: between its
   black ring and the dark ground under it, round paper is a white ring on black.
 */
 void vpDetectorCircleMarker::Impl::addInverse(Impl &inverse)
 {
+  for (const Found &marker : inverse.found) {
+    dropInsideOf(marker);
+  }
   const std::size_t own = found.size();
   const auto isPiece = [&](const Found &marker) {
     return std::any_of(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(own), [&](const Found &other) {

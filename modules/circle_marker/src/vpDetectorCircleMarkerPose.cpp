@@ -103,11 +103,13 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   \param cMo2 : If not null, the other solution; equal to the first if there is none.
   \param projError : If not null, negative log-likelihood of cMo up to a constant common to both.
   \param projError2 : If not null, the same for cMo2, HUGE_VAL if there is none.
+  \param covariance : If not null, that of cMo, 6 x 6: see vpCircleMarkerDetection.
   \return Whether the pose could be computed with this camera.
   \exception vpException::badValue : If there is no such marker, or the size is not positive.
 */
 bool vpDetectorCircleMarker::getPose(size_t index, double size, const vpCameraParameters &cam, vpHomogeneousMatrix &cMo,
-                                     vpHomogeneousMatrix *cMo2, double *projError, double *projError2)
+                                     vpHomogeneousMatrix *cMo2, double *projError, double *projError2,
+                                     vpMatrix *covariance)
 {
   circle_marker::checkMarkerSize(size);
   const auto detection = m_impl->measureAgain(index, size, cam);
@@ -123,6 +125,9 @@ bool vpDetectorCircleMarker::getPose(size_t index, double size, const vpCameraPa
   }
   if (projError2 != nullptr) {
     *projError2 = detection->cost2;
+  }
+  if (covariance != nullptr) {
+    *covariance = detection->covariance;
   }
   return true;
 }

@@ -41,8 +41,9 @@ vpImagePoint vpDetectorCircleMarker::getCenter(size_t index) const
 }
 
 /*!
-  \return 6 x 6 covariance of a marker's pose: see vpCircleMarkerDetection.
-  \exception vpException::badValue : If there is no such marker.
+  \return 6 x 6 covariance of a marker's pose: see vpCircleMarkerDetection. It is that of the last detect(), with the
+  size and the camera that it was given: for those of getPose() see there. \exception vpException::badValue : If there
+  is no such marker.
 */
 vpMatrix vpDetectorCircleMarker::getCovariance(size_t index) const
 {
@@ -50,8 +51,9 @@ vpMatrix vpDetectorCircleMarker::getCovariance(size_t index) const
 }
 
 /*!
-  \return ln(likelihood of the first pose / likelihood of the second), HUGE_VAL if there is no second one.
-  \exception vpException::badValue : If there is no such marker.
+  \return ln(likelihood of the first pose / likelihood of the second) of the last detect(), HUGE_VAL if there is no
+  second one. Of the poses of getPose() it is the difference of their projErrors. \exception vpException::badValue : If
+  there is no such marker.
 */
 double vpDetectorCircleMarker::getLogOdds(size_t index) const
 {
@@ -59,8 +61,11 @@ double vpDetectorCircleMarker::getLogOdds(size_t index) const
 }
 
 /*!
-  \return Mean agreement of the code's sectors with the codeword, from 0 to 1 (each sector black or white as the
-  codeword has it); 1 without a code.
+  \return How clearly the code was read, from 0 to 1 (1 without a code): of one that was read sector by sector the mean
+  agreement of its sectors with the codeword (each black or white as that has it); of a covered marker the share of the
+  sectors that are told and agree, less those that do not; of one that was read through a blur 1 - what its codeword
+  leaves unexplained over what the next one leaves. A small marker whose code is proven as a whole has that of its first
+  reading, which may be below the least one.
   \exception vpException::badValue : If there is no such marker.
 */
 double vpDetectorCircleMarker::getMargin(size_t index) const
@@ -108,8 +113,9 @@ std::vector<std::vector<vpImagePoint>> vpDetectorCircleMarker::getTagsCorners() 
 }
 
 /*!
-  Where the points of getTagsCorners() are in the marker frame, metres. The first is on its x axis, and they follow each
-  other clockwise as a viewer sees the print. Named as in vpDetectorAprilTag.
+  Where the points of getTagsCorners() are in the marker frame, metres, by the convention that
+  setZAlignedWithCameraAxis() says now: it has to be that of the last detect(). The first is on its x axis, and they
+  follow each other clockwise as a viewer sees the print. Named as in vpDetectorAprilTag.
 
   \param tagsId : Identities of the markers: getTagsId().
   \param tagsSize : Outer diameter of the ring, metres, by identity; that of -1 is for all that are not named.

@@ -98,6 +98,9 @@ void vpDetectorCircleMarker::setMaximumHammingDistance(unsigned int distance)
 }
 
 /*!
+  Sets the least margin of codes. At the default, and below, small markers may be proven as a whole, by the likelihood
+  of all codewords, whatever the margin of their first reading; above it they may not.
+
   \param margin : Least decision margin, from 0 to 1 (see getMargin()).
   \exception vpException::badValue : If it is outside of [0, 1].
 */

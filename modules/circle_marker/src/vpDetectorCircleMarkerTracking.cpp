@@ -85,7 +85,7 @@ bool vpDetectorCircleMarker::Impl::searchRegions(const Visit &visit)
       m_inRegions = m_seen;
       if (visit.deadline.hasPassed()) { // there is no time for more: the next image is searched whole
         m_tracks.follow(m_seen, width, height, true);
-        m_sinceWhole = settings.fullSearchPeriod;
+        m_sinceWhole = settings.fullSearchPeriod - 1;
         return true;
       }
       return false;

@@ -134,6 +134,7 @@ void vpPoseCircle::setConcentricCircle(double radius, const std::vector<vpImageP
   An expected pose, for instance that of the image before: its z axis, of either sign, is compared with both normals.
   \param cMo : The pose, in either frame convention.
   \param sigma : Standard deviation of the angle between both normals, radians; 5 degrees by default.
+  \exception vpException::badValue : As for setPriorNormal().
 */
 void vpPoseCircle::setPriorPose(const vpHomogeneousMatrix &cMo, double sigma)
 {
@@ -152,13 +153,17 @@ void vpPoseCircle::setPriorPose(const vpHomogeneousMatrix &cMo, double sigma)
 */
 void vpPoseCircle::setPriorNormal(const vpColVector &normal, double sigma)
 {
-  if (normal.size() != 3 || !isPositive(normal.frobeniusNorm())) {
+  if (normal.size() != 3) {
+    refuse("the expected normal must be three finite coordinates, not all zero");
+  }
+  const Eigen::Vector3d direction(normal[0], normal[1], normal[2]);
+  if (!direction.allFinite() || direction.isZero(0.)) {
     refuse("the expected normal must be three finite coordinates, not all zero");
   }
   if (!isDeviation(sigma)) {
     refuse("the standard deviation of the expected normal must be positive, finite and no less than 1e-12 rad");
   }
-  m_impl->m_priorNormal = Eigen::Vector3d(normal[0], normal[1], normal[2]).normalized();
+  m_impl->m_priorNormal = direction.stableNormalized();
   m_impl->m_priorSigma = sigma;
 }
 
@@ -179,6 +184,8 @@ void vpPoseCircle::clearEvidence()
 */
 bool vpPoseCircle::computePose(vpHomogeneousMatrix &cMo, vpHomogeneousMatrix *cMo2)
 {
+  m_impl->m_covariance.reset();
+  m_impl->m_logOdds = 0.;
   if (!isPositive(m_impl->m_radius)) {
     throw vpException(vpException::notInitialized,
                       "vpPoseCircle: the radius of the circle is not set: see setRadius()");
@@ -192,7 +199,6 @@ bool vpPoseCircle::computePose(vpHomogeneousMatrix &cMo, vpHomogeneousMatrix *cM
     std::swap((*circles)[0], (*circles)[1]);
     m_impl->m_logOdds = -m_impl->m_logOdds;
   }
-  m_impl->m_covariance.reset();
   if (m_impl->m_computeCovariance) {
     m_impl->m_covariance = vispMatrix(circleCovariance((*circles)[0], m_impl->contour(), m_impl->m_sigma));
   }

@@ -216,9 +216,10 @@ void vpPoseCircle::setEllipse(const vpFeatureEllipse &ellipse)
 
 /*!
   Contour of a tracked dot: its border pixels, moved onto the outline (they lie half a pixel inside in the mean), are
-  added as points. The dot's own moments are not used: they are those of the polygon through the centres of the border
+  the points. The dot's own moments are not used: they are those of the polygon through the centres of the border
   pixels, half a pixel too small all round, and know no distortion.
-  \exception vpException::badValue : The dot has no border, or no ellipse fits it.
+  \exception vpException::badValue : The dot has no border, no ellipse fits it, or it is beyond the field of view of the
+  camera model: what was measured before stays.
 */
 void vpPoseCircle::setEllipse(const vpDot2 &dot, const vpCameraParameters &cam)
 {
@@ -230,8 +231,12 @@ void vpPoseCircle::setEllipse(const vpDot2 &dot, const vpCameraParameters &cam)
   if (!outline) {
     refuse("no ellipse fits the border of the dot");
   }
+  std::vector<Eigen::Vector2d> points;
+  for (const vpImagePoint &ip : *outline) {
+    points.push_back(pointOf(ip, cam));
+  }
   clearPoint();
-  addPoints(*outline, cam);
+  m_impl->addPoints(points);
 }
 
 /*!

@@ -15,6 +15,7 @@
  * Order of the two poses of a circle, its log-odds, and the covariance.
  */
 
+#include "testPoseCircleInputs.h"
 #include "testPoseCircleTools.h"
 
 #include <Eigen/LU>
@@ -146,6 +147,38 @@ TEST(PoseCircleEvidence, PriorPoseAndNormal)
     again.computePose(byNormal);
     EXPECT_EQ(again.getLogOdds(), 0.);
   }
+}
+
+TEST(PoseCircleEvidence, APriorNormalMayHaveAnyLength)
+{
+  vpPoseCircle pose(0.1);
+  pose.setConic(toVisp(knownView().exactConic()));
+  vpHomogeneousMatrix cMo, cMo2, again;
+  pose.computePose(cMo, &cMo2);
+  for (const double length : {1e-200, 1e200}) {
+    vpColVector normal(3);
+    for (unsigned int k = 0; k < 3; k++) {
+      normal[k] = length * cMo2[k][2];
+    }
+    pose.setPriorNormal(normal, 0.1);
+    pose.computePose(again);
+    EXPECT_NEAR(again[0][2], cMo2[0][2], 1e-9);
+  }
+}
+
+// The distance to first order is not defined at the centre of an ellipse.
+TEST(PoseCircleEvidence, APointAtTheCentreSaysNothing)
+{
+  const View view = knownView();
+  vpPoseCircle pose(0.1);
+  pose.setConic(toVisp(view.exactConic()));
+  const vpImagePoint center(camera().get_v0() + camera().get_py() * view.c().y() / view.c().z(),
+                            camera().get_u0() + camera().get_px() * view.c().x() / view.c().z());
+  pose.setConcentricCircle(0.05, {center}, camera());
+  vpHomogeneousMatrix cMo;
+  pose.computePose(cMo);
+  EXPECT_TRUE(std::isfinite(pose.getLogOdds()));
+  EXPECT_GE(pose.getLogOdds(), 0.);
 }
 
 TEST(PoseCircleEvidence, AConcentricCircleIsForgottenWithTheRest)

@@ -124,4 +124,13 @@ TEST(PoseCircleState, AnEarlierCovarianceDoesNotStay)
   pose.setCovarianceComputation(false);
   pose.computePose(cMo);
   EXPECT_THROW(pose.getCovarianceMatrix(), vpException);
+  // Nor does that of a pose before one that could not be computed.
+  pose.setCovarianceComputation(true);
+  pose.setPriorPose(cMo);
+  pose.computePose(cMo);
+  EXPECT_GT(pose.getLogOdds(), 0.);
+  pose.clearPoint();
+  EXPECT_THROW(pose.computePose(cMo), vpException);
+  EXPECT_THROW(pose.getCovarianceMatrix(), vpException);
+  EXPECT_EQ(pose.getLogOdds(), 0.);
 }

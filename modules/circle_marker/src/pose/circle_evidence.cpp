@@ -28,7 +28,7 @@ double squaredDistances(const Eigen::Matrix3d &conic, const std::vector<Eigen::V
   double sum = 0.;
   for (const Eigen::Vector2d &point : points) {
     const double distance = sampsonDistance(conic, point);
-    sum += distance * distance;
+    sum += std::isfinite(distance) ? distance * distance : 0.; // the very centre is as far from all of the conic
   }
   return sum;
 }
