@@ -102,8 +102,8 @@ vpCircleMarkerFamily vpCircleMarkerFamily::fromName(const std::string &name)
   A plain ring without a code.
 
   \param ratio : Inner radius over outer radius, above 0 and below 1. It has to be that of the print: another one is
-  taken for another distance. The detector finds rings of 0.2 to 0.95. \exception vpException::badValue : If the ratio
-  is not between 0 and 1, both excluded.
+  taken for another distance. The detector finds rings of 0.2 to 0.95.
+  \exception vpException::badValue : If the ratio is not between 0 and 1, both excluded.
 */
 vpCircleMarkerFamily vpCircleMarkerFamily::ring(double ratio)
 {

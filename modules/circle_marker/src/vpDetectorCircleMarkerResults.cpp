@@ -42,8 +42,8 @@ vpImagePoint vpDetectorCircleMarker::getCenter(size_t index) const
 
 /*!
   \return 6 x 6 covariance of a marker's pose: see vpCircleMarkerDetection. It is that of the last detect(), with the
-  size and the camera that it was given: for those of getPose() see there. \exception vpException::badValue : If there
-  is no such marker.
+  size and the camera that it was given: for those of getPose() see there.
+  \exception vpException::badValue : If there is no such marker.
 */
 vpMatrix vpDetectorCircleMarker::getCovariance(size_t index) const
 {
@@ -52,8 +52,8 @@ vpMatrix vpDetectorCircleMarker::getCovariance(size_t index) const
 
 /*!
   \return ln(likelihood of the first pose / likelihood of the second) of the last detect(), HUGE_VAL if there is no
-  second one. Of the poses of getPose() it is the difference of their projErrors. \exception vpException::badValue : If
-  there is no such marker.
+  second one. Of the poses of getPose() it is the difference of their projErrors.
+  \exception vpException::badValue : If there is no such marker.
 */
 double vpDetectorCircleMarker::getLogOdds(size_t index) const
 {

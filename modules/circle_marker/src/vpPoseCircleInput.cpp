@@ -215,8 +215,8 @@ void vpPoseCircle::setEllipse(const vpFeatureEllipse &ellipse)
 }
 
 /*!
-  Contour of a tracked dot: its border pixels, moved onto the outline (they lie half a pixel inside in the mean), are
-  the points. The dot's own moments are not used: they are those of the polygon through the centres of the border
+  Contour of a tracked dot: its border pixels, moved onto the outline (they lie half a pixel inside in the mean),
+  become the points. The dot's own moments are not used: they are those of the polygon through the centres of the border
   pixels, half a pixel too small all round, and know no distortion.
   \exception vpException::badValue : The dot has no border, no ellipse fits it, or it is beyond the field of view of the
   camera model: what was measured before stays.

@@ -17,6 +17,8 @@
 
 #include "refine/pose_odds.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 using namespace circle_marker;
@@ -48,6 +50,7 @@ TEST(PoseOdds, AFitThatIsOnItsWaySaysLess)
   // The second would leave 240 grey levels^2 less: 30 in the cost at a noise of 2, 6 by a coherence of 5.
   EXPECT_NEAR(coherentOdds(40., fit(5., 1., true), fit(1., 240., false), 2.), 2. * 64. / (16. + 36.), 1e-12);
   EXPECT_NEAR(coherentOdds(40., fit(5., 80., false), fit(1., 160., false), 2.), 2. * 64. / (16. + 36.), 1e-12);
+  EXPECT_EQ(coherentOdds(HUGE_VAL, fit(5., 80., false), fit(5., 80., false), 2.), HUGE_VAL);
   EXPECT_EQ(coherentOdds(0., fit(5., 0., false), fit(5., 0., false), 2.), 0.);
 }
 

@@ -18,6 +18,7 @@
 #include "refine/pose_odds.h"
 
 #include <algorithm>
+#include <cmath>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -25,6 +26,9 @@ namespace {
 // Log-odds D whose variance, 2 D, has that of costs in it that are off by k.
 double loweredBy(double k, double odds)
 {
+  if (!std::isfinite(odds)) {
+    return odds;
+  }
   return 2. * odds * odds / std::max(2. * odds + k * k, 1e-9);
 }
 } // namespace
@@ -46,7 +50,7 @@ double coherentOdds(double odds, const FittedPose &first, const FittedPose &seco
   }
   double behind = 0.; // grey levels^2
   for (const FittedPose *fit : {&first, &second}) {
-    behind += fit->isSettled ? 0. : std::max(fit->decrement, 0.);
+    behind += !fit->isSettled && fit->decrement > 0. ? fit->decrement : 0.;
   }
   return loweredBy(costOf(behind, noise) / first.coherence, odds / first.coherence);
 }
