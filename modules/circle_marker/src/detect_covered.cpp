@@ -217,8 +217,13 @@ bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, 
   WordEvidence evidence(pixels);
   evidence.turnTo(0.);
   const OtherColours other = evidence.otherColours(marker.family.getCodeword(marker.code.id));
-  return marker.seen ? other.ink > leastInkOfCovered || std::min(other.ink, other.paper) > leastEitherOfCovered
-                     : other.ink + other.paper > leastOtherOfWhole;
+  // Sectors that were corrected are another one in plain sight; of either colour half of them at most.
+  const double sectors = marker.family.getNbSectors();
+  const double corrected = marker.code.hamming / sectors;
+  const double correctedOfEither = (marker.code.hamming / 2) / sectors;
+  return marker.seen ? other.ink > leastInkOfCovered + corrected ||
+                           std::min(other.ink, other.paper) > leastEitherOfCovered + correctedOfEither
+                     : other.ink + other.paper > leastOtherOfWhole + corrected;
 }
 
 bool isPartMissing(double support)
