@@ -21,6 +21,9 @@
 
 #include <gtest/gtest.h>
 
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
 using namespace circle_marker;
 
 namespace {
