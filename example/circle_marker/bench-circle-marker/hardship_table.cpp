@@ -21,6 +21,7 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <stdexcept>
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
 #include <visp3/core/vpRotationMatrix.h>
@@ -142,6 +143,21 @@ void write(std::ostream &out, const std::string &what, double level, Line line)
   out << " | " << line.mirrored << " | " << line.mirroredOdds << " | " << line.misjudged << " |" << std::endl;
 }
 
+// A name that no hardship has would give an empty table.
+void checkName(const std::string &only)
+{
+  std::string names;
+  for (const Hardship &hardship : hardships()) {
+    if (only.empty() || hardship.name == only) {
+      return;
+    }
+    if (names.find('"' + hardship.name + '"') == std::string::npos) {
+      names += (names.empty() ? "\"" : ", \"") + hardship.name + '"';
+    }
+  }
+  throw std::invalid_argument("no hardship is named \"" + only + "\"; there are " + names);
+}
+
 // Whether the marker was found and rightly read.
 bool judge(const Scene &scene, const vpDetectorCircleMarker &detector, Line &line)
 {
@@ -172,6 +188,7 @@ bool judge(const Scene &scene, const vpDetectorCircleMarker &detector, Line &lin
 void tellHardships(std::ostream &out, const std::string &family, unsigned int frames, std::uint64_t seed,
                    HardMarkers markers, const std::string &only, const std::string &pictures)
 {
+  checkName(only);
   vpDetectorCircleMarker detector(vpCircleMarkerFamily::fromName(family));
   detector.setZAlignedWithCameraAxis(true);
   out << "| " << family << ": hardship | level | frames | found and rightly read | others | mean d^2/dof | median | "
@@ -196,9 +213,12 @@ void tellHardships(std::ostream &out, const std::string &family, unsigned int fr
       std::vector<vpHomogeneousMatrix> poses;
       detector.detect(scene.image, markerSize, scene.camera, poses);
       const unsigned int wrong = line.wrong;
-      if ((!judge(scene, detector, line) || line.wrong > wrong) && !pictures.empty()) {
+      const bool isFound = judge(scene, detector, line);
+      const bool hasOthers = line.wrong > wrong;
+      if ((!isFound || hasOthers) && !pictures.empty()) {
         std::ostringstream name;
-        name << pictures << '/' << hardship.name << '-' << hardship.level << '-' << frame << ".png";
+        name << pictures << '/' << hardship.name << '-' << hardship.level << '-' << frame << (hasOthers ? "-other" : "")
+             << ".png";
         vpImageIo::write(scene.image, name.str());
       }
     }

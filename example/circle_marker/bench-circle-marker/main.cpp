@@ -80,7 +80,7 @@ int main(int argc, char *argv[])
   app.add_option("--overlays", overlays,
                  "With --photographs: folder to write pictures of the rings found to; with --phantoms: of the coded "
                  "markers found; with --reach: of the frames with a wrong id; with --hardships: of the frames whose "
-                 "marker was not found")
+                 "marker was not found, or which have another (*-other.png)")
       ->check(CLI::ExistingDirectory);
   app.allow_extras();
   try {

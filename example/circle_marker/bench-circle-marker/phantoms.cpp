@@ -23,6 +23,7 @@
 #include <iomanip>
 #include <map>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -212,6 +213,10 @@ void tellPhantoms(std::ostream &out, unsigned int images, std::uint64_t seed, co
       cv::imwrite(overlays + "/" + kind + "-" + std::to_string(i) + "-plain.png",
                   cv::Mat(static_cast<int>(height), static_cast<int>(width), CV_8U, image.bitmap));
     }
+  }
+  if (counts.empty()) {
+    throw std::invalid_argument("of " + std::to_string(images) + " images none is of a kind with \"" + only +
+                                "\" in its name");
   }
   write(out, counts);
 }

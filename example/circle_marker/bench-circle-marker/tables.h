@@ -56,7 +56,9 @@ void tellReach(std::ostream &out, const std::string &family, unsigned int frames
   \param seed : Of the frames.
   \param markers : How large they are, in which light.
   \param only : Name of the hardship to be looked at; empty for all.
-  \param pictures : Folder to write the frames to whose marker was not found or wrongly read; empty for none.
+  \param pictures : Folder to write the frames to whose marker was not found or wrongly read, these as *-other.png;
+  empty for none.
+  \exception std::invalid_argument If no hardship has that name.
 */
 void tellHardships(std::ostream &out, const std::string &family, unsigned int frames, std::uint64_t seed,
                    HardMarkers markers, const std::string &only, const std::string &pictures);

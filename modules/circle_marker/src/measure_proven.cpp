@@ -21,6 +21,7 @@
 #include <cmath>
 
 #include "code_proof.h"
+#include "refine/over_exposed_code.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -42,6 +43,8 @@ constexpr double clearlyMore = 1.02;
 // Whatever its odds, a code leaves no more than this factor of what another one left that was measured before: one
 // whose track something covers was refused, and another one proven that left 1.4 times as much.
 constexpr double muchMore = 1.2;
+// Odds of a code on over-exposed paper, ln: one in 10^8 is wrong, as elsewhere.
+constexpr double leastOddsIfOverExposed = 20.;
 // How often another code is measured: the first was read at a pose that the code did not yet help to measure.
 constexpr int mostRounds = 3;
 
@@ -163,7 +166,8 @@ public:
         return std::nullopt;
       }
       if (!code) { // the first reading decides, if what was read is there at all
-        const bool isThere = isClear(marker) && leavesWhatPrintsLeave(measurement->first, m_noise);
+        const bool isThere = isClear(marker) && leavesWhatPrintsLeave(measurement->first, m_noise) &&
+                             !mayBeOtherCode(m_image, m_camera, marker, *measurement, m_memory);
         return isThere ? measurement : std::nullopt;
       }
       if (!isSame(code->best, marker)) {
@@ -226,6 +230,17 @@ bool wantsProof(const EllipseParameters &outline, const vpCircleMarkerFamily &fa
 bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
 {
   return family.isCoded() && sectorLength(outline, family) < doubtfulSector;
+}
+
+bool mayBeOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                    const Measurement &measurement, MeasureMemory &memory)
+{
+  if (!marker.family.isCoded() || marker.seen || marker.blurred) {
+    return false;
+  }
+  const auto odds = oddsIfOverExposed(I, camera, measurement.first, frameOf(marker.poses[0], camera), marker.family,
+                                      marker.family.getCodeword(marker.code.id), memory.code);
+  return odds && *odds < leastOddsIfOverExposed;
 }
 
 std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,

@@ -38,6 +38,14 @@ bool wantsProof(const EllipseParameters &outline, const vpCircleMarkerFamily &fa
 bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily &family);
 
 /*!
+  Whether another code of the family is nearly as likely as the marker's own, because paper is brighter than the sensor
+  can tell and hides sectors; false elsewhere, and of what was read beside a cover or through a blur, where that is
+  counted already.
+*/
+bool mayBeOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                    const Measurement &measurement, MeasureMemory &memory);
+
+/*!
   Measures a marker whose sectors are small. Of all codewords the one that was read must explain the image best at the
   measured pose, by far; if another one does, that one is measured and must.
   \param I : The image.

@@ -295,7 +295,8 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
   }
   if (measurement && settings.refinePose && !isProofWanted) {
     measurement = withoutCover(visit, outline, *measurement, marker, workspace);
-    if (measurement && showsOtherCode(visit.I, visit.camera, marker, *measurement, workspace.measuring)) {
+    if (measurement && (showsOtherCode(visit.I, visit.camera, marker, *measurement, workspace.measuring) ||
+                        mayBeOtherCode(visit.I, visit.camera, marker, *measurement, workspace.measuring))) {
       return false;
     }
   }

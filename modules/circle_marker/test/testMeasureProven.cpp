@@ -236,6 +236,38 @@ TEST(MeasureProven, NothingAfterTheDeadline)
   EXPECT_TRUE(prove(I, scene, marker));
 }
 
+// On over-exposed paper, at the true pose. What is hidden there proves no code, and what shows does.
+TEST(MeasureProven, OverExposedCodesMayBeOthers)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const auto mayBeAnother = [&](double diameter, double white, bool isCovered) {
+    MarkerScene scene = markerScene(random, family, 5, diameter, 0.4, side);
+    scene.white = white;
+    scene.black = white / 6.;
+    const vpImage<unsigned char> I = imageOf(scene, random);
+    const CameraModel camera(scene.camera());
+    Recognition marker = recognisedAs(scene, 5, 0, true);
+    if (isCovered) {
+      marker.seen.emplace();
+    }
+    Measurement measurement; // the true one
+    measurement.first.plane = scene.plane();
+    measurement.first.photometry.light = scene.white;
+    measurement.first.photometry.absorption = 1. - scene.black / scene.white;
+    measurement.first.photometry.blur.sigma = blur;
+    measurement.first.noise = noise;
+    MeasureMemory memory;
+    return mayBeOtherCode(I, camera, marker, measurement, memory);
+  };
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_FALSE(mayBeAnother(uniform(random, 20., 40.), 200., false)) << "the sensor can tell";
+    EXPECT_FALSE(mayBeAnother(uniform(random, 35., 40.), 350., false)) << "all sectors show";
+    EXPECT_TRUE(mayBeAnother(uniform(random, 14., 16.), 1500., false)) << "few sectors show";
+    EXPECT_FALSE(mayBeAnother(uniform(random, 14., 16.), 1500., true)) << "read beside a cover, it is counted there";
+  }
+}
+
 // Lengths of a sector at the middle of the track along the short axis: 2 pi b times its radius, by the sectors.
 TEST(MeasureProven, SmallSectorsWantIt)
 {

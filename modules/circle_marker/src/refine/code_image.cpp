@@ -37,9 +37,8 @@ constexpr double around = 1.5;
 constexpr double modelError = 0.04;
 // Less of a sector is not worth its products.
 constexpr double leastShare = 1e-3;
-// Where paper is brighter than this, grey levels, a pixel that is as well cannot be told from brighter. It is taken for
-// white if by that it is wrong by no more than this share of the contrast.
-constexpr double brightest = 254.;
+// What is brighter than the sensor can tell is taken for white if by that it is wrong by no more than this share of the
+// contrast.
 constexpr double mostHidden = 0.1;
 
 constexpr double fullTurn = 2. * M_PI;
@@ -83,51 +82,48 @@ double ringAt(const vpCircleMarkerLayout &layout, const PlanePoint &point)
   return insideOf(1., point).share - inner;
 }
 
-// The sectors that a pixel sees.
-struct SeenSectors
+// The sectors that a pixel sees, by the edges between them, each on its own.
+SeenSectors seenByEdges(const CodePixel &pixel, const vpCircleMarkerLayout &layout, const SectorBorders &borders)
 {
-  std::array<int, mostSectors> numbers;
-  std::array<double, mostSectors> weights; // shares of the pixel
-  int count = 0;
+  SeenSectors seen;
+  const PlanePoint &point = pixel.point;
+  const int own = static_cast<int>(std::floor(borders.place(pixel.angle)));
+  const double blur = point.byPixel.norm() / std::max(point.q.norm(), layout.codeInner); // rad, at most
+  const int wide = std::clamp(static_cast<int>(std::ceil(borders.inSectors(reach * blur))), 1, mostReach);
+  seen.count = 2 * wide + 1;
+  double from = beyond(borders.across(own - wide), pixel.rims, point);
+  for (int k = 0; k < seen.count; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const double to = beyond(borders.across(own - wide + k + 1), pixel.rims, point);
+    seen.numbers[i] = borders.sector(own - wide + k);
+    seen.weights[i] = from - to;
+    from = to;
+  }
+  return seen;
+}
 
-  // By the edges between them, each on its own.
-  void set(const CodePixel &pixel, const vpCircleMarkerLayout &layout, const SectorBorders &borders)
-  {
-    const PlanePoint &point = pixel.point;
-    const int own = static_cast<int>(std::floor(borders.place(pixel.angle)));
-    const double blur = point.byPixel.norm() / std::max(point.q.norm(), layout.codeInner); // rad, at most
-    const int wide = std::clamp(static_cast<int>(std::ceil(borders.inSectors(reach * blur))), 1, mostReach);
-    count = 2 * wide + 1;
-    double from = beyond(borders.across(own - wide), pixel.rims, point);
-    for (int k = 0; k < count; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      const double to = beyond(borders.across(own - wide + k + 1), pixel.rims, point);
-      numbers[i] = borders.sector(own - wide + k);
-      weights[i] = from - to;
-      from = to;
+// And along lines.
+SeenSectors seenAlongLines(const TrackPiece *pieces, std::size_t pieceCount, const SectorBorders &borders)
+{
+  SectorVector shares = SectorVector::Zero();
+  std::for_each_n(pieces, pieceCount, [&](const TrackPiece &piece) { addSectors(piece, borders, shares); });
+  SeenSectors seen;
+  for (int sector = 0; sector < borders.count(); ++sector) {
+    if (shares[sector] > leastShare) {
+      seen.numbers[static_cast<std::size_t>(seen.count)] = sector;
+      seen.weights[static_cast<std::size_t>(seen.count++)] = shares[sector];
     }
   }
-
-  // Along lines.
-  void set(const TrackPiece *pieces, std::size_t pieceCount, const SectorBorders &borders)
-  {
-    SectorVector shares = SectorVector::Zero();
-    std::for_each_n(pieces, pieceCount, [&](const TrackPiece &piece) { addSectors(piece, borders, shares); });
-    count = 0;
-    for (int sector = 0; sector < borders.count(); ++sector) {
-      if (shares[sector] > leastShare) {
-        numbers[static_cast<std::size_t>(count)] = sector;
-        weights[static_cast<std::size_t>(count++)] = shares[sector];
-      }
-    }
-  }
-};
+  return seen;
+}
 
 // What a pixel shows, and how much ink would take of it.
 struct SeenLight
 {
-  double share;    // of the grey level of white paper
-  double contrast; // grey levels
+  double share;     // of the grey level of white paper
+  double mostTold;  // greatest share that the sensor can tell
+  double contrast;  // grey levels
+  bool isTooBright; // whether the share is wrong by more than a little, because the sensor cannot tell it
 };
 
 // Takes pixels into the image of a code.
@@ -141,9 +137,10 @@ public:
   {
     m_track.pixels.clear();
     m_track.pieces.clear();
+    m_track.isOverExposed = false;
   }
 
-  // A pixel, which is taken if it sees the track; false if the light on it is not known.
+  // A pixel, which is taken if it sees the track; false if there is no light on it.
   bool add(const Eigen::Vector2d &pixel, double grey)
   {
     PlanePoint point = planePoint({m_camera.toMeter(pixel), m_camera.meterPerPixel(pixel)}, m_fit.plane);
@@ -162,8 +159,10 @@ public:
     if (isByLines && m_track.pieces.size() == begin) {
       return true; // sees nothing of the track
     }
+    const double leastTold = light->mostTold < 1. ? m_fit.photometry.blackOf(light->mostTold) - ring : -HUGE_VAL;
     m_track.pixels.push_back({point, rims, std::atan2(point.q.y(), point.q.x()),
-                              m_fit.photometry.blackOf(light->share) - ring, begin, m_track.pieces.size()});
+                              m_fit.photometry.blackOf(light->share) - ring, leastTold, begin, m_track.pieces.size()});
+    m_track.isOverExposed |= light->isTooBright;
     m_squaredContrast += light->contrast * light->contrast;
     return true;
   }
@@ -172,16 +171,17 @@ public:
   double contrast() const { return std::sqrt(m_squaredContrast / static_cast<double>(m_track.pixels.size())); }
 
 private:
-  // Nothing where there is none, or the sensor cannot tell how bright it is.
+  // Nothing where there is none.
   std::optional<SeenLight> lightOf(const Eigen::Vector2d &pixel, double grey) const
   {
     const double light = m_fit.photometry.whiteAt((pixel - m_frame.center) / m_frame.size);
     const double contrast = light * m_fit.photometry.contrast();
-    const bool isHidden = light > brightest && grey > brightest;
-    if (contrast <= 0. || (isHidden && light - brightest > mostHidden * contrast)) {
+    if (contrast <= 0.) {
       return std::nullopt;
     }
-    return SeenLight{(isHidden ? light : grey) / light, contrast};
+    const bool isHidden = light > brightestToldOfCode && grey > brightestToldOfCode;
+    return SeenLight{(isHidden ? light : grey) / light, brightestToldOfCode / light, contrast,
+                     isHidden && light - brightestToldOfCode > mostHidden * contrast};
   }
 
   const CameraModel &m_camera;
@@ -225,18 +225,19 @@ bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, cons
   return true;
 }
 
+SeenSectors sectorsSeenBy(const CodePixel &pixel, const CodeImage &track, const vpCircleMarkerLayout &layout,
+                          const SectorBorders &borders)
+{
+  return pixel.begin == pixel.end ? seenByEdges(pixel, layout, borders)
+                                  : seenAlongLines(&track.pieces[pixel.begin], pixel.end - pixel.begin, borders);
+}
+
 Squares squaresOf(const CodeImage &track, const vpCircleMarkerLayout &layout, int sectors, double start)
 {
   Squares result;
   const SectorBorders borders(sectors, start);
-  SeenSectors seen;
   for (const CodePixel &pixel : track.pixels) {
-    if (pixel.begin == pixel.end) {
-      seen.set(pixel, layout, borders);
-    }
-    else {
-      seen.set(&track.pieces[pixel.begin], pixel.end - pixel.begin, borders);
-    }
+    const SeenSectors seen = sectorsSeenBy(pixel, track, layout, borders);
     for (int i = 0; i < seen.count; ++i) {
       const auto a = static_cast<std::size_t>(i);
       result.right[seen.numbers[a]] += seen.weights[a] * pixel.black;

@@ -18,6 +18,7 @@
 #ifndef VP_CIRCLE_MARKER_CODE_IMAGE_H
 #define VP_CIRCLE_MARKER_CODE_IMAGE_H
 
+#include <array>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,6 +27,7 @@
 #include "refine/fit_pixel.h"
 #include "refine/fitted_pose.h"
 #include "refine/plane_point.h"
+#include "refine/sector_borders.h"
 #include "refine/track_lines.h"
 #include "support/camera_model.h"
 #include "support/normal_distribution.h"
@@ -65,8 +67,12 @@ struct CodePixel
   Rims rims;
   double angle;           // from the plane's x axis, rad
   double black;           // that is not explained by the ring: 0 for white, 1 for ink
+  double leastTold;       // less black than this, of the same, the sensor cannot tell from none: it is too bright
   std::size_t begin, end; // of its pieces, where its edges are no simple ones
 };
+
+/*! Where paper is brighter than this, grey levels, a pixel that is as well cannot be told from brighter. */
+constexpr double brightestToldOfCode = 254.;
 
 /*! Pixels of the track, and how large the noise is on their black. */
 struct CodeImage
@@ -74,6 +80,15 @@ struct CodeImage
   std::vector<CodePixel> pixels;
   std::vector<TrackPiece> pieces;
   double noise = 0.;
+  bool isOverExposed = false; //!< Whether by what the sensor cannot tell some are wrong by more than a little.
+};
+
+/*! The sectors that a pixel sees. */
+struct SeenSectors
+{
+  std::array<int, mostSectors> numbers;
+  std::array<double, mostSectors> weights; //!< Shares of the pixel.
+  int count = 0;
 };
 
 /*!
@@ -85,10 +100,14 @@ struct CodeImage
   \param layout : Radii of the track.
   \param sectors : Of the code.
   \param track : The result; its memory is used again.
-  \return False if the track leaves the image or the light is not known.
+  \return False if the track leaves the image or there is no light on it.
 */
 bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit,
                 const ImageFrame &frame, const vpCircleMarkerLayout &layout, int sectors, CodeImage &track);
+
+/*! What a pixel of a track sees of the sectors with these borders. */
+SeenSectors sectorsSeenBy(const CodePixel &pixel, const CodeImage &track, const vpCircleMarkerLayout &layout,
+                          const SectorBorders &borders);
 
 using SectorMatrix = Eigen::Matrix<double, mostSectors, mostSectors>;
 

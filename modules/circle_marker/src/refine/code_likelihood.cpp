@@ -110,7 +110,7 @@ std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const 
   const vpCircleMarkerLayout &layout = family.getLayout();
   const CyclicCode &code = codeOf(family);
   const auto sectors = static_cast<int>(code.getLength());
-  if (!lookAtCode(I, camera, fit, frame, layout, sectors, track)) {
+  if (!lookAtCode(I, camera, fit, frame, layout, sectors, track) || track.isOverExposed) {
     return std::nullopt;
   }
   const double pitch = fullTurn / sectors;
