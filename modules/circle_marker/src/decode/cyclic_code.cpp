@@ -174,27 +174,6 @@ std::optional<CyclicCode::Word> CyclicCode::correct(Word word, unsigned int maxE
   return std::nullopt;
 }
 
-std::optional<CyclicCode::Word> CyclicCode::correct(Word word, Word erased, unsigned int maxErrors) const
-{
-  erased &= m_mask;
-  const unsigned int nbErased = hammingDistance(erased, 0);
-  if (nbErased >= m_minimumDistance) {
-    return std::nullopt;
-  }
-  // Of the two ways to fill the s erased sectors, all 0 and all 1, one has at most s/2 of them wrong: with e errors
-  // elsewhere and 2 e + s < d that is within the capacity of the code.
-  for (const Word filled : {word & ~erased, word | erased}) {
-    const std::optional<Word> codeword = correct(filled, getCapacity());
-    if (codeword) {
-      const unsigned int nbErrors = hammingDistance(*codeword & ~erased, word & m_mask & ~erased);
-      if (nbErrors <= maxErrors && 2 * nbErrors + nbErased < m_minimumDistance) {
-        return codeword; // Two codewords that satisfy this bound would be closer than d to each other.
-      }
-    }
-  }
-  return std::nullopt;
-}
-
 std::optional<CyclicCode::Identity> CyclicCode::identify(Word codeword) const
 {
   if ((codeword & ~m_mask) != 0) {

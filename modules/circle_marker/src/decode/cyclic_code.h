@@ -98,17 +98,6 @@ public:
   */
   std::optional<Word> correct(Word word, unsigned int maxErrors) const;
 
-  /*!
-    The codeword closest to \e word on the sectors that are not erased, or nothing.
-
-    With s erased sectors and e wrong ones among the others, the answer is unique and found whenever 2 e + s < d;
-    beyond, or with e > \e maxErrors, nothing is returned.
-    \param word : The word read; the erased sectors may hold anything.
-    \param erased : A 1 for each sector that could not be read, in the word's own bit order.
-    \param maxErrors : Largest number of wrong sectors among the others.
-  */
-  std::optional<Word> correct(Word word, Word erased, unsigned int maxErrors) const;
-
   /*! Orbit and rotation of a codeword; nothing for a word outside the code and for the constant words. */
   std::optional<Identity> identify(Word codeword) const;
 
