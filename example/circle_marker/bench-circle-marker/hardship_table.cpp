@@ -185,13 +185,14 @@ bool judge(const Scene &scene, const vpDetectorCircleMarker &detector, Line &lin
 }
 } // namespace
 
-void tellHardships(std::ostream &out, const std::string &family, unsigned int frames, std::uint64_t seed,
-                   HardMarkers markers, const std::string &only, const std::string &pictures)
+void tellHardships(std::ostream &out, const HardshipOptions &options)
 {
-  checkName(only);
-  vpDetectorCircleMarker detector(vpCircleMarkerFamily::fromName(family));
+  checkName(options.only);
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::fromName(options.family));
   detector.setZAlignedWithCameraAxis(true);
-  out << "| " << family << ": hardship | level | frames | found and rightly read | others | mean d^2/dof | median | "
+  detector.setRefinePose(options.refine);
+  out << "| " << options.family
+      << ": hardship | level | frames | found and rightly read | others | mean d^2/dof | median | "
       << "greatest | mirrored | by odds of e^ | visible off |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
   Line all;
   const Hardship *previous = nullptr;
@@ -203,22 +204,22 @@ void tellHardships(std::ostream &out, const std::string &family, unsigned int fr
     previous = next;
   };
   for (const Hardship &hardship : hardships()) {
-    if (!only.empty() && hardship.name != only) {
+    if (!options.only.empty() && hardship.name != options.only) {
       continue;
     }
     sum(&hardship);
     Line line;
-    for (unsigned int frame = 0; frame < frames; ++frame) {
-      const Scene scene = makeHardScene(hardship, family, 1000003 * seed + frame, markers);
+    for (unsigned int frame = 0; frame < options.frames; ++frame) {
+      const Scene scene = makeHardScene(hardship, options.family, 1000003 * options.seed + frame, options.markers);
       std::vector<vpHomogeneousMatrix> poses;
       detector.detect(scene.image, markerSize, scene.camera, poses);
       const unsigned int wrong = line.wrong;
       const bool isFound = judge(scene, detector, line);
       const bool hasOthers = line.wrong > wrong;
-      if ((!isFound || hasOthers) && !pictures.empty()) {
+      if ((!isFound || hasOthers) && !options.pictures.empty()) {
         std::ostringstream name;
-        name << pictures << '/' << hardship.name << '-' << hardship.level << '-' << frame << (hasOthers ? "-other" : "")
-             << ".png";
+        name << options.pictures << '/' << hardship.name << '-' << hardship.level << '-' << frame
+             << (hasOthers ? "-other" : "") << ".png";
         vpImageIo::write(scene.image, name.str());
       }
     }

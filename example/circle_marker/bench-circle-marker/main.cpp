@@ -63,6 +63,8 @@ int main(int argc, char *argv[])
       ->check(CLI::Range(1, 1000000));
   bool areSmall = false;
   app.add_flag("--small", areSmall, "With --hardships markers of 12 to 45 pixels, in any light, not of 40 to 160");
+  bool isUnrefined = false;
+  app.add_flag("--unrefined", isUnrefined, "With --hardships poses as the closed form gives them, and codes unproven");
   std::uint64_t seed = 1;
   app.add_option("--seed", seed, "Seed of the frames for --reach, --hardships and --phantoms")
       ->check(common::wholeNumber())
@@ -111,7 +113,7 @@ int main(int argc, char *argv[])
     }
     if (hardships > 0) {
       const auto markers = areSmall ? bench::HardMarkers::SMALL : bench::HardMarkers::USUAL;
-      bench::tellHardships(std::cout, family, hardships, seed, markers, only, overlays);
+      bench::tellHardships(std::cout, {family, hardships, seed, markers, !isUnrefined, only, overlays});
     }
     if (phantoms > 0) {
       bench::tellPhantoms(std::cout, phantoms, seed, only, overlays);

@@ -45,23 +45,29 @@ void tellRatios(std::ostream &out, unsigned int rounds);
 void tellReach(std::ostream &out, const std::string &family, unsigned int frames, std::uint64_t seed,
                const std::string &overlays);
 
+/*! What is asked of tellHardships(). */
+struct HardshipOptions
+{
+  std::string family;                       //!< Name of the markers' family.
+  unsigned int frames = 1;                  //!< How many of each hardship.
+  std::uint64_t seed = 1;                   //!< Of the frames.
+  HardMarkers markers = HardMarkers::USUAL; //!< How large they are, in which light.
+  bool refine = true;                       //!< Whether poses are refined.
+  std::string only;                         //!< Name of the hardship to be looked at; empty for all.
+  //! Folder to write the frames to whose marker was not found or wrongly read, these as *-other.png; empty for none.
+  std::string pictures;
+};
+
 /*!
   Share of the markers that are found and rightly read where something covers a part of them or the picture is bad, how
   the errors of their poses compare with the covariances (squared Mahalanobis distance by degrees of freedom), and how
   often the visible share of the outline is told wrong by more than 0.1. One marker a frame, tilts to 60 degrees, on
   clutter.
   \param out : Where the table goes, Markdown.
-  \param family : Name of the markers' family.
-  \param frames : How many of each hardship.
-  \param seed : Of the frames.
-  \param markers : How large they are, in which light.
-  \param only : Name of the hardship to be looked at; empty for all.
-  \param pictures : Folder to write the frames to whose marker was not found or wrongly read, these as *-other.png;
-  empty for none.
-  \exception std::invalid_argument If no hardship has that name.
+  \param options : What is asked.
+  \exception std::invalid_argument If no hardship has the name that is asked for.
 */
-void tellHardships(std::ostream &out, const std::string &family, unsigned int frames, std::uint64_t seed,
-                   HardMarkers markers, const std::string &only, const std::string &pictures);
+void tellHardships(std::ostream &out, const HardshipOptions &options);
 
 /*!
   How long after its timeout the detector comes back, on the hard images at 1280 x 960: the greatest wall time, and CPU
