@@ -126,3 +126,16 @@ TEST(DetectorWrongIds, SmallCodesThatAreCoveredOrOutOfFocus)
     EXPECT_EQ(outcome.wrong, 0u) << frame.name;
   }
 }
+
+// The same in light 2.5 times too strong: black sectors that the sensor could not tell from paper made it another code,
+// all of whose sectors were clear.
+TEST(DetectorWrongIds, SmallCodesThatAreOverExposed)
+{
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);
+  const bench::Hardship hardship = {"over-exposure", 2.5, false};
+  for (const std::uint64_t seed : {5000035, 15000069, 301001631, 301001648, 301001871, 301002621, 301003277}) {
+    const Outcome outcome =
+        outcomeOf(bench::makeHardScene(hardship, "golay23", seed, bench::HardMarkers::SMALL), detector);
+    EXPECT_EQ(outcome.wrong, 0u) << seed;
+  }
+}
