@@ -33,6 +33,8 @@
 #include <utility>
 
 #include <nlohmann/json.hpp>
+
+#include <visp3/core/vpIoTools.h>
 #endif
 
 BEGIN_VISP_NAMESPACE
@@ -155,7 +157,9 @@ std::map<int, double> readSizes(const std::string &key, const Json &value)
     if (!isId || !size.is_number() || !(size.get<double>() > 0.)) {
       refuse(key, "an object with ids as keys and positive metres as values, not \"" + name + "\": " + size.dump());
     }
-    sizes[std::stoi(name)] = size.get<double>();
+    if (!sizes.emplace(std::stoi(name), size.get<double>()).second) {
+      refuse(key, "an object with each id once, not " + std::to_string(std::stoi(name)) + " again as \"" + name + "\"");
+    }
   }
   return sizes;
 }
@@ -201,6 +205,53 @@ vpCircleMarkerPolarity readPolarity(const std::string &key, const Json &value)
   return static_cast<vpCircleMarkerPolarity>(name - polarities.begin());
 }
 
+void readSetting(const std::string &key, const Json &value, DetectorSettings &settings)
+{
+  if (key == "families") {
+    settings.families = readFamilies(key, value);
+  }
+  else if (key == "sizes") {
+    settings.sizes = readSizes(key, value);
+  }
+  else if (key == "maximumHammingDistance") {
+    settings.decode.maximumHamming = readCount(key, value, 0);
+  }
+  else if (key == "minimumMargin") {
+    settings.decode.minimumMargin = value.get<double>();
+    if (!(settings.decode.minimumMargin >= 0. && settings.decode.minimumMargin <= 1.)) {
+      refuse(key, "from 0 to 1");
+    }
+  }
+  else if (key == "refinePose") {
+    settings.refinePose = value.get<bool>();
+  }
+  else if (key == "zAlignedWithCameraAxis") {
+    settings.zAlignedWithCameraAxis = value.get<bool>();
+  }
+  else if (key == "polarity") {
+    settings.polarity = readPolarity(key, value);
+  }
+  else if (key == "threads") {
+    settings.threads = readCount(key, value, 1, mostThreads);
+  }
+  else if (key == "tracking") {
+    settings.tracking = value.get<bool>();
+  }
+  else if (key == "fullSearchPeriod") {
+    settings.fullSearchPeriod = readCount(key, value, 1);
+  }
+  else if (key == "cameraCovariance") {
+    settings.cameraCovariance = readCameraCovariance(key, value);
+  }
+  else {
+    throw vpException(vpException::badValue,
+                      "unknown setting \"%s\"; known are families, sizes, maximumHammingDistance, minimumMargin, "
+                      "refinePose, zAlignedWithCameraAxis, polarity, threads, tracking, fullSearchPeriod, "
+                      "cameraCovariance",
+                      key.c_str());
+  }
+}
+
 void read(const Json &json, DetectorSettings &settings)
 {
   if (!json.is_object()) {
@@ -208,48 +259,11 @@ void read(const Json &json, DetectorSettings &settings)
   }
   // Each key with what takes its value, so that a misspelt key is an error and not silently ignored.
   for (const auto &[key, value] : json.items()) {
-    if (key == "families") {
-      settings.families = readFamilies(key, value);
+    try {
+      readSetting(key, value, settings);
     }
-    else if (key == "sizes") {
-      settings.sizes = readSizes(key, value);
-    }
-    else if (key == "maximumHammingDistance") {
-      settings.decode.maximumHamming = readCount(key, value, 0);
-    }
-    else if (key == "minimumMargin") {
-      settings.decode.minimumMargin = value.get<double>();
-      if (!(settings.decode.minimumMargin >= 0. && settings.decode.minimumMargin <= 1.)) {
-        refuse(key, "from 0 to 1");
-      }
-    }
-    else if (key == "refinePose") {
-      settings.refinePose = value.get<bool>();
-    }
-    else if (key == "zAlignedWithCameraAxis") {
-      settings.zAlignedWithCameraAxis = value.get<bool>();
-    }
-    else if (key == "polarity") {
-      settings.polarity = readPolarity(key, value);
-    }
-    else if (key == "threads") {
-      settings.threads = readCount(key, value, 1, mostThreads);
-    }
-    else if (key == "tracking") {
-      settings.tracking = value.get<bool>();
-    }
-    else if (key == "fullSearchPeriod") {
-      settings.fullSearchPeriod = readCount(key, value, 1);
-    }
-    else if (key == "cameraCovariance") {
-      settings.cameraCovariance = readCameraCovariance(key, value);
-    }
-    else {
-      throw vpException(vpException::badValue,
-                        "unknown setting \"%s\"; known are families, sizes, maximumHammingDistance, minimumMargin, "
-                        "refinePose, zAlignedWithCameraAxis, polarity, threads, tracking, fullSearchPeriod, "
-                        "cameraCovariance",
-                        key.c_str());
+    catch (const Json::exception &error) { // which tells of the type, but not of what
+      throw vpException(vpException::badValue, "\"%s\" is %s: %s", key.c_str(), value.dump().c_str(), error.what());
     }
   }
 }
@@ -258,7 +272,7 @@ void read(const Json &json, DetectorSettings &settings)
 DetectorSettings readSettings(const std::string &filename, const DetectorSettings &settings)
 {
   std::ifstream file(filename);
-  if (!file) {
+  if (!file || vpIoTools::checkDirectory(filename)) { // a folder can be opened
     throw vpException(vpException::ioError, "cannot read the settings file \"%s\"", filename.c_str());
   }
   DetectorSettings result = settings;

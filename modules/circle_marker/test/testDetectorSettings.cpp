@@ -199,6 +199,7 @@ TEST(DetectorSettings, WrongContentsAreRefused)
                            "{\"sizes\": {\"3\": \"large\"}}",
                            "{\"sizes\": [0.1, 0.2]}",
                            "{\"sizes\": {\"3x\": 0.1}}",
+                           "{\"sizes\": {\"3\": 0.1, \"03\": 0.2}}",
                            "{\"sizes\": {\"3\": -0.1}}",
                            "{\"families\": []}",
                            "{\"threads\": 0}",
@@ -222,6 +223,14 @@ TEST(DetectorSettings, WrongContentsAreRefused)
   EXPECT_EQ(complaintAbout("{}"), "");
 }
 
+// The JSON library tells of types alone.
+TEST(DetectorSettings, ValuesOfAnotherTypeAreNamedWithTheirKey)
+{
+  const std::string complaint = complaintAbout("{\"threads\": 2, \"refinePose\": 17}");
+  EXPECT_NE(complaint.find("refinePose"), std::string::npos) << complaint;
+  EXPECT_NE(complaint.find("17"), std::string::npos) << complaint;
+}
+
 TEST(DetectorSettings, UnknownFamiliesAreNamed)
 {
   const std::string complaint = complaintAbout("{\"families\": [\"ring\", \"golay24\"]}");
@@ -238,6 +247,13 @@ TEST(DetectorSettings, FilesThatCannotBeUsed)
   catch (const vpException &error) {
     EXPECT_EQ(error.getCode(), vpException::ioError);
     EXPECT_NE(std::string(error.what()).find("no-such-folder/settings.json"), std::string::npos);
+  }
+  try {
+    readSettings(".", defaults());
+    FAIL() << "read a folder";
+  }
+  catch (const vpException &error) {
+    EXPECT_EQ(error.getCode(), vpException::ioError);
   }
   try {
     writeSettings("no-such-folder/settings.json", defaults());
