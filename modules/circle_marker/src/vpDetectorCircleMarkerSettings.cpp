@@ -130,9 +130,9 @@ void vpDetectorCircleMarker::setNbThreads(unsigned int threads)
   \param refine : Whether poses are refined on the grey levels around the marker's edges (the default), or left as the
   closed form of vpPoseCircle gives them, which takes less time. Their errors are then up to a hundred times as large,
   and the mirrored pose comes first more often; the covariance and the log-odds say so, but for discs that are strongly
-  moved, whose smear is taken for their outline. And small codes are read sector by sector without a proof: of 1000
-  golay23 of 12 to 45 pixels in any light 3 were read as others, of 2000 that were over-exposed 2.5 times 30
-  (bench-circle-marker --hardships 2000 --small --unrefined --seed 301), where poses are refined none.
+  moved, whose smear is taken for their outline. And small codes are read sector by sector without a proof: of 2000
+  golay23 of 12 to 45 pixels in any light 4 are read as others, of as many in light 2.5 times too strong 30
+  (bench-circle-marker --hardships 2000 --small --unrefined --seed 301); where poses are refined none.
 */
 void vpDetectorCircleMarker::setRefinePose(bool refine)
 {

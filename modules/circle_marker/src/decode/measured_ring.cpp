@@ -21,6 +21,7 @@
 #include <cmath>
 
 #include "support/normal_distribution.h"
+#include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -30,8 +31,6 @@ namespace {
 constexpr double darkestInk = 0.05;
 // The light's slope leaves no less than this share of it.
 constexpr double leastLight = 1e-3;
-// Grey level from which a sensor of 8 bits may tell no more: noise takes one off.
-constexpr double brightest = 254.;
 } // namespace
 
 double MeasuredRing::whiteAt(const Eigen::Vector2d &place) const
@@ -51,7 +50,7 @@ double MeasuredRing::levelAt(const Eigen::Vector2d &place, double grey) const
 
 bool MeasuredRing::isCutOff(const Eigen::Vector2d &place, double grey) const
 {
-  return grey >= brightest && whiteAt(place) > brightest;
+  return grey >= brightestTold && whiteAt(place) > brightestTold;
 }
 
 double MeasuredRing::noiseOfLevel() const

@@ -23,6 +23,7 @@
 #include <optional>
 
 #include "pose/circle_bounds.h"
+#include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -179,9 +180,9 @@ private:
     if (contrast <= 0.) {
       return std::nullopt;
     }
-    const bool isHidden = light > brightestToldOfCode && grey > brightestToldOfCode;
-    return SeenLight{(isHidden ? light : grey) / light, brightestToldOfCode / light, contrast,
-                     isHidden && light - brightestToldOfCode > mostHidden * contrast};
+    const bool isHidden = light > brightestTold && grey > brightestTold;
+    return SeenLight{(isHidden ? light : grey) / light, brightestTold / light, contrast,
+                     isHidden && light - brightestTold > mostHidden * contrast};
   }
 
   const CameraModel &m_camera;

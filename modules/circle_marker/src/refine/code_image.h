@@ -71,9 +71,6 @@ struct CodePixel
   std::size_t begin, end; // of its pieces, where its edges are no simple ones
 };
 
-/*! Where paper is brighter than this, grey levels, a pixel that is as well cannot be told from brighter. */
-constexpr double brightestToldOfCode = 254.;
-
 /*! Pixels of the track, and how large the noise is on their black. */
 struct CodeImage
 {

@@ -24,6 +24,7 @@
 #include <Eigen/Cholesky>
 
 #include "support/normal_distribution.h"
+#include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {

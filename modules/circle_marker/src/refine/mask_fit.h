@@ -31,10 +31,6 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-// Grey levels from these on may have been cut off.
-constexpr double darkestTold = 1.;
-constexpr double brightestTold = 254.;
-
 /*! A pixel near the ring. */
 struct RingSample
 {

@@ -28,7 +28,6 @@
 #ifndef VP_CIRCLE_MARKER_OVER_EXPOSED_CODE_H
 #define VP_CIRCLE_MARKER_OVER_EXPOSED_CODE_H
 
-#include <cmath>
 #include <cstdint>
 #include <optional>
 

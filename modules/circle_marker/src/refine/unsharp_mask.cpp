@@ -25,6 +25,7 @@
 
 #include "refine/mask_fit.h"
 #include "refine/plane_point.h"
+#include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
