@@ -22,6 +22,8 @@
 #include <functional>
 #include <random>
 
+#include "common/processed_picture.h"
+
 namespace bench {
 namespace {
 using Random = std::mt19937_64;
@@ -215,6 +217,28 @@ void moveOut(Draft &draft, double share, Random &random)
   outside(numberFor(share, -mostDiameter, mostDiameter, outside));
 }
 
+common::Processing processingOf(const Hardship &hardship)
+{
+  return hardship.name == "colour sensor, noise" ? common::Processing::DEMOSAICED
+         : hardship.name == "smoothed, noise"    ? common::Processing::SMOOTHED
+         : hardship.name == "enlarged, noise"    ? common::Processing::ENLARGED
+                                                 : common::Processing::NONE;
+}
+
+// The picture as it comes to the detector, with what is true of it.
+void processPicture(common::Processing processing, Scene &scene)
+{
+  common::process(processing, scene.image);
+  scene.camera = common::cameraOf(processing, scene.camera);
+  const double scale = common::enlargementBy(processing);
+  for (vpMarkerTruth &truth : scene.truth) {
+    truth.center = common::placeIn(processing, truth.center);
+    truth.ellipse->center = common::placeIn(processing, truth.ellipse->center);
+    truth.ellipse->semiAxisA *= scale;
+    truth.ellipse->semiAxisB *= scale;
+  }
+}
+
 void spoil(Draft &draft, const Hardship &hardship, Random &random, vpSceneMotion &motion, double &sheet)
 {
   vpScenePhotometry &photometry = draft.photometry;
@@ -224,7 +248,7 @@ void spoil(Draft &draft, const Hardship &hardship, Random &random, vpSceneMotion
     photometry.paper = 120. + 0.5 * hardship.level;
     photometry.ink = 120. - 0.5 * hardship.level;
   }
-  else if (name("noise")) {
+  else if (name("noise") || processingOf(hardship) != common::Processing::NONE) {
     photometry.noiseSigma = hardship.level;
   }
   else if (name("motion")) {
@@ -290,6 +314,12 @@ const std::vector<Hardship> &hardships()
                                      {"contrast", 25.},
                                      {"noise", 10.},
                                      {"noise", 20.},
+                                     {"colour sensor, noise", 2.},
+                                     {"colour sensor, noise", 10.},
+                                     {"smoothed, noise", 2.},
+                                     {"smoothed, noise", 10.},
+                                     {"enlarged, noise", 2.},
+                                     {"enlarged, noise", 10.},
                                      {"motion", 0.1},
                                      {"motion", 0.25},
                                      {"defocus", 0.08},
@@ -363,6 +393,7 @@ Scene makeHardScene(const Hardship &hardship, const std::string &family, std::ui
   Scene scene;
   scene.camera = draft.simulator.getCameraParameters();
   scene.truth = draft.simulator.render(scene.image, seed);
+  processPicture(processingOf(hardship), scene);
   return scene;
 }
 } // namespace bench

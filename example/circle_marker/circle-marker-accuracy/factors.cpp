@@ -139,6 +139,13 @@ void statedFocalLength(Scene &scene, Draws &draws)
   }
 }
 
+/*! What comes between the sensor and the detector. */
+template <Processing PROCESSING> void processed(Scene &scene, Draws &)
+{
+  scene.processing = PROCESSING;
+  scene.assumed = cameraOf(PROCESSING, scene.assumed);
+}
+
 /*! All of the light, the print and the lens; the calibration is no matter of the estimator's. */
 void everything(Scene &scene, Draws &draws)
 {
@@ -195,6 +202,9 @@ const std::vector<Factor> &factors()
       {"all at once", everything, {}, true},
       {"principal point 0.5 % stated", statedPrincipalPoint, {}, false},
       {"focal length 0.5 % stated", statedFocalLength, {}, false},
+      {"colour sensor", processed<Processing::DEMOSAICED>, {}, false},
+      {"smoothed 1 px", processed<Processing::SMOOTHED>, {}, false},
+      {"enlarged 2 times", processed<Processing::ENLARGED>, {}, false},
   };
   return all;
 }

@@ -115,6 +115,7 @@ void Laboratory::photograph(const Scene &scene, const vpSimulatedMarker &marker)
   simulator.setMotion(scene.motion);
   simulator.addMarker(scene.printed(marker));
   simulator.render(m_image, scene.noiseSeed);
+  process(scene.processing, m_image);
 }
 
 Record Laboratory::measure(const Scene &scene, const Limit &limit)

@@ -27,6 +27,7 @@
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpMatrix.h>
 
+#include "common/processed_picture.h"
 #include "common/seeds.h"
 #include "settings.h"
 
@@ -77,6 +78,7 @@ struct Scene
   double inkSpread = 0.;              //!< Metres.
   double bow = 0., bowAxis = 0.;      //!< Of the sheet, metres and radians.
   vpSceneMotion motion;
+  Processing processing = Processing::NONE; //!< What becomes of the picture.
   std::uint64_t noiseSeed = 0;
 
   /*! The circular marker at its pose, flat and sharp: what the bound is of. */

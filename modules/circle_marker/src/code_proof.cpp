@@ -118,7 +118,7 @@ bool isAtRightPose(const CodeToProve &what, double odds)
   const double noise = std::max(what.noise, rounding);
   const auto leavesUpTo = [&](const MostLeft &most) {
     const bool isDoubted = !what.isCertain && odds < clearOdds;
-    const double byChance = 1. + mostDeviations / std::sqrt(2. * static_cast<double>(what.pixels));
+    const double byChance = 1. + mostDeviations / std::sqrt(2. * static_cast<double>(what.pixels) / fit.sharing);
     const double factor = isDoubted ? std::min(most.noise, byChance) : most.noise;
     return fit.noise < factor * noise + most.lacking * fit.photometry.tellableContrast();
   };

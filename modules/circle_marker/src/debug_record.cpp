@@ -76,7 +76,7 @@ void recordScale(const OutlineMemory::Scale &memory, const ToImage &toImage, vpC
   vpCircleMarkerDebug::Scale scale;
   scale.origin = toImage.origin;
   scale.pixel = toImage.pixel;
-  scale.noise = memory.gradient.noise;
+  scale.noise = memory.gradient.noise.sigma;
   scale.leastStart = memory.gradient.startAt / sobelStepGain;
   scale.leastStep = memory.gradient.continueAbove / sobelStepGain;
   recordEdges(memory.gradient, scale.edges);

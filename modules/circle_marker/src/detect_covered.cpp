@@ -153,13 +153,14 @@ WholeVerdict verdictByPixels(const Doubts &doubts, double noise, const FittedPos
 std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
                                                    const EllipseCandidate &outline, const PosePair &poses,
                                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings,
-                                                   MeasureMemory &memory, const Deadline &deadline)
+                                                   MeasureMemory &memory, const Deadline &deadline,
+                                                   const ImageNoise &noise)
 {
   const auto ring = recogniseCoveredRing(I, camera, poses, outline, family);
   if (!ring) {
     return std::nullopt;
   }
-  const auto measurement = measure(I, camera, *ring, true, memory, deadline);
+  const auto measurement = measure(I, camera, *ring, true, memory, deadline, noise);
   if (!measurement) {
     return std::nullopt;
   }

@@ -38,12 +38,14 @@ namespace circle_marker {
   \param settings : How strictly a code is read.
   \param memory : Working memory of the measurement.
   \param deadline : When to stop: it is none then.
+  \param noise : Noise of the image; by default pixels share none.
   \return The marker; nothing if it is none.
 */
 std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
                                                    const EllipseCandidate &outline, const PosePair &poses,
                                                    const vpCircleMarkerFamily &family, const DecodeSettings &settings,
-                                                   MeasureMemory &memory, const Deadline &deadline = Deadline());
+                                                   MeasureMemory &memory, const Deadline &deadline = Deadline(),
+                                                   const ImageNoise &noise = ImageNoise());
 
 /*! How an outline is read. */
 enum class ReadingKind

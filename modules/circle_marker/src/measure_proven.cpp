@@ -79,41 +79,60 @@ void setCode(const PlacedCode &code, const Measurement &measurement, Recognition
   }
 }
 
+// The image that a marker is measured in, and what it is measured with.
+struct Measuring
+{
+  const vpImage<unsigned char> &I;
+  const CameraModel &camera;
+  const ImageNoise &noise;
+  MeasureMemory &memory;
+  const Deadline &deadline;
+
+  std::optional<Measurement> measure(const Recognition &marker, bool refine = true) const
+  {
+    return circle_marker::measure(I, camera, marker, refine, memory, deadline, noise);
+  }
+
+  // frame: of the light in the measurement.
+  std::optional<LikelyCode> mostLikelyCode(const Measurement &measurement, const ImageFrame &frame,
+                                           const vpCircleMarkerFamily &family) const
+  {
+    return circle_marker::mostLikelyCode(I, camera, measurement.first, frame, family, memory.code, deadline);
+  }
+};
+
 // The marker with the next likely code, if that, measured on its own, explains the image as well: the poses to which
 // codes are compared are those that the likeliest has made of the image.
-std::optional<Recognition> challenger(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                      const LikelyCode &code, const Measurement &measurement, Recognition marker,
-                                      MeasureMemory &memory, const Deadline &deadline)
+std::optional<Recognition> challenger(const Measuring &measuring, const LikelyCode &code,
+                                      const Measurement &measurement, Recognition marker)
 {
   if (code.next.id < 0) {
     return std::nullopt;
   }
   setCode(code.next, measurement, marker);
-  const auto other = measure(I, camera, marker, true, memory, deadline);
+  const auto other = measuring.measure(marker);
   const bool isAsGood = other && other->first.noise < clearlyMore * measurement.first.noise;
   return isAsGood ? std::make_optional(std::move(marker)) : std::nullopt;
 }
 
 // Whether the image looks like the marker where that was found.
-bool isLikeAtStart(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                   MeasureMemory &memory, const Deadline &deadline)
+bool isLikeAtStart(const Measuring &measuring, const Recognition &marker)
 {
-  const auto start = measure(I, camera, marker, false, memory, deadline);
+  const auto start = measuring.measure(marker, false);
   return start && start->first.correlation >= leastCorrelationAtStart;
 }
 
 // Another code for a marker whose own was not proven. A wrong code draws the pose to where it fits: here the sectors
 // are as dark as they were read, and the code is the likeliest at the pose to which they lead. Whether there is one.
-bool setLikeliest(const vpImage<unsigned char> &I, const CameraModel &camera, Recognition &marker,
-                  MeasureMemory &memory, const Deadline &deadline)
+bool setLikeliest(const Measuring &measuring, Recognition &marker)
 {
-  const ImageFrame frame = frameOf(marker.poses[0], camera);
-  const auto measurement = measure(I, camera, marker, true, memory, deadline);
+  const ImageFrame frame = frameOf(marker.poses[0], measuring.camera);
+  const auto measurement = measuring.measure(marker);
   marker.darkness.reset();
   if (!measurement || measurement->first.correlation < leastCorrelationMeasured) {
     return false;
   }
-  const auto code = mostLikelyCode(I, camera, measurement->first, frame, marker.family, memory.code, deadline);
+  const auto code = measuring.mostLikelyCode(*measurement, frame, marker.family);
   if (!code || code->best.id < 0) {
     return false;
   }
@@ -123,8 +142,7 @@ bool setLikeliest(const vpImage<unsigned char> &I, const CameraModel &camera, Re
 
 // The measurement of a marker whose code is proven: if its steps were too few in doubt, it goes on from where it is,
 // and so do the marker's poses.
-Measurement settled(const vpImage<unsigned char> &I, const CameraModel &camera, const Measurement &measurement,
-                    Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
+Measurement settled(const Measuring &measuring, const Measurement &measurement, Recognition &marker)
 {
   if (measurement.first.isSettled) {
     return measurement;
@@ -132,7 +150,7 @@ Measurement settled(const vpImage<unsigned char> &I, const CameraModel &camera, 
   Recognition proven = marker;
   proven.isCertain = true;
   startAt(measurement, proven);
-  const auto again = measure(I, camera, proven, true, memory, deadline);
+  const auto again = measuring.measure(proven);
   if (!again) {
     return measurement;
   }
@@ -144,30 +162,27 @@ Measurement settled(const vpImage<unsigned char> &I, const CameraModel &camera, 
 class Proof
 {
 public:
-  Proof(const vpImage<unsigned char> &I, const CameraModel &camera, double noise, MeasureMemory &memory,
-        const Deadline &deadline)
-      : m_image(I), m_camera(camera), m_noise(noise), m_memory(memory), m_deadline(deadline)
-  {
-  }
+  explicit Proof(const Measuring &measuring) : m_measuring(measuring) {}
 
   // The marker's measurement, if a code is proven by it, which may be another one than was read.
   std::optional<Measurement> measure(Recognition &marker)
   {
+    const double sigma = m_measuring.noise.sigma;
     for (int round = 0; round < mostRounds; ++round) {
-      const ImageFrame frame = frameOf(marker.poses[0], m_camera);
-      const auto measurement = circle_marker::measure(m_image, m_camera, marker, true, m_memory, m_deadline);
+      const ImageFrame frame = frameOf(marker.poses[0], m_measuring.camera);
+      const auto measurement = m_measuring.measure(marker);
       if (!measurement || !isWorthComparing(*measurement, isClear(marker))) {
         return std::nullopt;
       }
       m_leastLeft = std::min(m_leastLeft, measurement->first.noise);
-      const auto code =
-          mostLikelyCode(m_image, m_camera, measurement->first, frame, marker.family, m_memory.code, m_deadline);
-      if (m_deadline.hasPassed()) {
+      const auto code = m_measuring.mostLikelyCode(*measurement, frame, marker.family);
+      if (m_measuring.deadline.hasPassed()) {
         return std::nullopt;
       }
       if (!code) { // the first reading decides, if what was read is there at all
-        const bool isThere = isClear(marker) && leavesWhatPrintsLeave(measurement->first, m_noise) &&
-                             !mayBeOtherCode(m_image, m_camera, marker, *measurement, m_memory);
+        const bool isThere =
+            isClear(marker) && leavesWhatPrintsLeave(measurement->first, sigma) &&
+            !mayBeOtherCode(m_measuring.I, m_measuring.camera, marker, *measurement, m_measuring.memory);
         return isThere ? measurement : std::nullopt;
       }
       if (!isSame(code->best, marker)) {
@@ -178,18 +193,19 @@ public:
         marker.isCertain = false;
         continue;
       }
-      if (!isProven(*code, {marker.family, measurement->first, m_noise, isClear(marker), m_memory.pixels.size()})) {
+      if (!isProven(*code,
+                    {marker.family, measurement->first, sigma, isClear(marker), m_measuring.memory.pixels.size()})) {
         return std::nullopt;
       }
       std::optional<Recognition> other;
       if (!isClear(marker) && code->odds <= clearOdds) {
-        other = challenger(m_image, m_camera, *code, *measurement, marker, m_memory, m_deadline);
-        if (m_deadline.hasPassed()) {
+        other = challenger(m_measuring, *code, *measurement, marker);
+        if (m_measuring.deadline.hasPassed()) {
           return std::nullopt;
         }
       }
       if (!other) {
-        return settled(m_image, m_camera, *measurement, marker, m_memory, m_deadline);
+        return settled(m_measuring, *measurement, marker);
       }
       marker = std::move(*other);
     }
@@ -213,11 +229,7 @@ private:
     return isClear || (isLike && measurement.first.noise <= muchMore * m_leastLeft);
   }
 
-  const vpImage<unsigned char> &m_image;
-  const CameraModel &m_camera;
-  const double m_noise; // of the image, grey levels
-  MeasureMemory &m_memory;
-  const Deadline &m_deadline;
+  const Measuring &m_measuring;
   double m_leastLeft = HUGE_VAL; // the least that a code left so far, grey levels
 };
 } // namespace
@@ -243,22 +255,24 @@ bool mayBeOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, 
   return odds && *odds < leastOddsIfOverExposed;
 }
 
-std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
-                                         Recognition &marker, MeasureMemory &memory, const Deadline &deadline)
+std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                         const ImageNoise &noise, Recognition &marker, MeasureMemory &memory,
+                                         const Deadline &deadline)
 {
-  Proof proof(I, camera, noise, memory, deadline);
+  const Measuring measuring = {I, camera, noise, memory, deadline};
+  Proof proof(measuring);
   if (marker.isCertain) {
     return proof.measure(marker);
   }
   const Recognition asRead = marker;
   marker.darkness.reset();
   std::optional<Measurement> measurement;
-  if (isLikeAtStart(I, camera, marker, memory, deadline)) {
+  if (isLikeAtStart(measuring, marker)) {
     measurement = proof.measure(marker);
   }
-  if (!measurement && asRead.darkness && isLikeAtStart(I, camera, asRead, memory, deadline)) {
+  if (!measurement && asRead.darkness && isLikeAtStart(measuring, asRead)) {
     marker = asRead;
-    if (setLikeliest(I, camera, marker, memory, deadline)) {
+    if (setLikeliest(measuring, marker)) {
       measurement = proof.measure(marker);
     }
   }

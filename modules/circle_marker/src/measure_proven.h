@@ -22,6 +22,7 @@
 
 #include "decode/recognise.h"
 #include "refine/measure.h"
+#include "segment/image_noise.h"
 #include "support/deadline.h"
 
 BEGIN_VISP_NAMESPACE
@@ -50,14 +51,14 @@ bool mayBeOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, 
   measured pose, by far; if another one does, that one is measured and must.
   \param I : The image.
   \param camera : Its camera.
-  \param noise : Standard deviation of the image's noise, grey levels.
+  \param noise : Noise of the image.
   \param marker : The marker; its code may be another one afterwards.
   \param memory : Working memory.
   \param deadline : When to stop: nothing is proven then.
   \return Nothing if no codeword explains the image, or two of them do.
 */
-std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera, double noise,
-                                         Recognition &marker, MeasureMemory &memory,
+std::optional<Measurement> measureProven(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                         const ImageNoise &noise, Recognition &marker, MeasureMemory &memory,
                                          const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE

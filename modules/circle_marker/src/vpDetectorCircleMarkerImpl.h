@@ -50,7 +50,7 @@ public:
     circle_marker::Recognition marker;       //!< Family and code.
     circle_marker::EllipseCandidate outline; //!< Its outer edge, as found.
     std::vector<vpImagePoint> polygon;       //!< Points along the outline.
-    double noise = 0.;                       //!< Of the image it was found in, grey levels.
+    circle_marker::ImageNoise noise;         //!< Of the image it was found in.
     bool mayBeBlurred = false;               //!< Whether it was read through a blur, or might have been.
   };
 
@@ -115,9 +115,9 @@ private:
     double size; //!< Of the markers, metres.
     const circle_marker::CameraModel &camera;
     const circle_marker::Deadline &deadline;
-    const double &noise;      //!< Standard deviation of the image's noise, grey levels: known after the first room.
-    bool isSizeGiven = false; //!< Whether all markers have that size, whatever the database says.
-    double haloError = 0.;    //!< Of what the camera had sharpened: how well that is undone, share of the contrast.
+    const circle_marker::ImageNoise &noise; //!< Of the image: known after the first room.
+    bool isSizeGiven = false;               //!< Whether all markers have that size, whatever the database says.
+    double haloError = 0.; //!< Of what the camera had sharpened: how well that is undone, share of the contrast.
   };
 
   void detectBlack(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,

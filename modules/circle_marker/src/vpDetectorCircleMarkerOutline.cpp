@@ -116,13 +116,13 @@ std::optional<Recognition> vpDetectorCircleMarker::Impl::readInDoubt(const Visit
 {
   if (kind == ReadingKind::COVERED) {
     return recogniseByMeasuredRing(visit.I, visit.camera, outline, poses, family, settings.decode, workspace.measuring,
-                                   visit.deadline);
+                                   visit.deadline, visit.noise);
   }
   // Who asks for more certainty than by default, or forbids corrections, gets what is read sector by sector.
   const bool mayProve = settings.refinePose && settings.decode.maximumHamming > 0 &&
                         settings.decode.minimumMargin <= DecodeSettings().minimumMargin;
   return mayProve && mayBeUncertain(outline.ellipse, family)
-             ? recogniseUncertain(visit.I, visit.camera, poses, outline, family, visit.noise)
+             ? recogniseUncertain(visit.I, visit.camera, poses, outline, family, visit.noise.sigma)
              : std::nullopt;
 }
 
@@ -182,7 +182,7 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
                                                                       Recognition &marker, Workspace &workspace) const
 {
   MeasureMemory &memory = workspace.measuring;
-  const double noise = visit.noise;
+  const double noise = visit.noise.sigma;
   const WholeVerdict verdict = judgeWhole(visit.I, visit.camera, noise, outline.support, marker, measurement, memory);
   if (verdict == WholeVerdict::WRONG) {
     return std::nullopt;
@@ -191,7 +191,7 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
   // if a shadow lies there, too, which no covered marker is measured with.)
   const auto leftOut = [&]() -> std::optional<Measurement> {
     auto part = withoutWhatCovers(visit.I, visit.camera, marker, measurement, memory);
-    auto again = part ? measure(visit.I, visit.camera, *part, true, memory, visit.deadline) : std::nullopt;
+    auto again = part ? measure(visit.I, visit.camera, *part, true, memory, visit.deadline, visit.noise) : std::nullopt;
     if (!again || again->first.inliers < measurement.first.inliers) {
       return measurement;
     }
@@ -203,14 +203,14 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
   }
   const auto poses = posesFromOutline(outline.points, visit.camera, measurement.first.plane.radius, workspace.meters);
   auto covered = poses ? recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, marker.family, settings.decode,
-                                                 memory, visit.deadline)
+                                                 memory, visit.deadline, visit.noise)
                        : std::nullopt;
   if (covered && (marker.code.hamming > 0 || covered->code.id == marker.code.id)) {
     if (verdict == WholeVerdict::DOUBTFUL && covered->code.id == marker.code.id) {
       return measurement; // by all pixels: without noise, those left out are off by little
     }
     scaleTo(sizeOf(*covered, visit), covered->poses);
-    if (auto again = measure(visit.I, visit.camera, *covered, true, memory, visit.deadline)) {
+    if (auto again = measure(visit.I, visit.camera, *covered, true, memory, visit.deadline, visit.noise)) {
       marker = std::move(*covered);
       return again;
     }
@@ -263,7 +263,8 @@ bool vpDetectorCircleMarker::Impl::measureRestored(const Visit &visit, const Ell
   if (!undo(*mask, visit.I, around, visit.deadline, workspace.restored)) {
     return false;
   }
-  const double noise = visit.noise / (1. + mask->amount); // of the highest frequencies, by which it is measured
+  // Of the highest frequencies, by which it is measured.
+  const ImageNoise noise = {visit.noise.sigma / (1. + mask->amount), visit.noise.sharing};
   const Visit before = {workspace.restored, visit.size, visit.camera, visit.deadline, noise,
                         visit.isSizeGiven,  mask->error};
   Fit restoredFit;
@@ -288,7 +289,8 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
     measurement = measureProven(visit.I, visit.camera, visit.noise, marker, workspace.measuring, visit.deadline);
   }
   else if (settings.refinePose || !marker.blurred) { // the reading through a blur has its own poses
-    measurement = measure(visit.I, visit.camera, marker, settings.refinePose, workspace.measuring, visit.deadline);
+    measurement =
+        measure(visit.I, visit.camera, marker, settings.refinePose, workspace.measuring, visit.deadline, visit.noise);
   }
   if (!isProofWanted) {
     measurement = bestMeasurement(marker, measurement);
@@ -300,7 +302,7 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
       return false;
     }
   }
-  if (!measurement || (settings.refinePose && !isNoise(measurement->first.noise, visit.noise))) {
+  if (!measurement || (settings.refinePose && !isNoise(measurement->first.noise, visit.noise.sigma))) {
     return false;
   }
   if (isProofWanted) { // it may be another marker than was read
@@ -310,7 +312,7 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
     }
   }
   if (settings.refinePose) {
-    widenByShapeOfBlur(visit.noise, marker.family.isCoded(), measurement->first);
+    widenByShapeOfBlur(visit.noise.sigma, marker.family.isCoded(), measurement->first);
     if (!marker.blurred) { // in a wide blur there is no halo to be seen
       fit.halo = haloOf(visit.I, visit.camera, marker, *measurement);
       addHaloDoubt(std::hypot(fit.halo < leastHalo ? 0. : fit.halo, visit.haloError), visit.camera, *measurement);

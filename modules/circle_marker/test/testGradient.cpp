@@ -12,7 +12,7 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * The noise estimate, and the thresholds of the gradient that follow it.
+ * The thresholds of the gradient, which follow the noise.
  */
 
 #include "testRoomTools.h"
@@ -23,11 +23,6 @@ using namespace circle_marker;
 using namespace room_test;
 
 namespace {
-double noiseOf(vpImage<unsigned char> &I)
-{
-  return estimateNoise(I);
-}
-
 //! Grey plane, tilted by some grey levels a pixel.
 vpImage<double> plane(unsigned int width, unsigned int height, double grey, double byU, double byV)
 {
@@ -39,54 +34,7 @@ vpImage<double> plane(unsigned int width, unsigned int height, double grey, doub
   }
   return I;
 }
-
-// Standard deviation of the noise with the rounding to whole grey levels.
-double withRounding(double sigma)
-{
-  return std::sqrt(sigma * sigma + 1. / 12.);
-}
 } // namespace
-
-TEST(Gradient, NoiseOfFlatImages)
-{
-  Random random = randomOfTest();
-  for (double sigma = 1.; sigma <= 20.; sigma *= 1.13) {
-    vpImage<unsigned char> I = digitise(plane(1280, 960, 127.3, 0., 0.), sigma, random);
-    EXPECT_NEAR(noiseOf(I), withRounding(sigma), 0.05 * sigma) << "sigma " << sigma;
-  }
-}
-
-TEST(Gradient, NoiseOfTiltedImages)
-{
-  Random random = randomOfTest();
-  for (double sigma = 1.; sigma <= 20.; sigma *= 1.17) {
-    // 60 sigma of 20 are 20 grey levels short of the range's ends in the corners: no clamping that counts.
-    const double slope = uniform(random, -0.06, 0.06);
-    vpImage<unsigned char> I = digitise(plane(1280, 960, 127., slope, 0.5 * slope), sigma, random);
-    EXPECT_NEAR(noiseOf(I), withRounding(sigma), 0.05 * sigma) << "sigma " << sigma << " slope " << slope;
-  }
-}
-
-TEST(Gradient, StepsAreNoNoise)
-{
-  Random random = randomOfTest();
-  for (int i = 0; i < 10; ++i) {
-    // A straight edge and a disc: the median must not see them.
-    const double angle = uniform(random, 0., 2. * M_PI);
-    const EllipseScene disc = {Eigen::Vector2d(160., 120.), 60., 40., angle};
-    const vpImage<double> exposed = expose(
-        320, 240, 0.8,
-        [&](double u, double v) {
-          return 0.5 * disc(u, v) + ((u - 100.) * std::cos(angle) + (v - 90.) * std::sin(angle) > 0. ? 100. : 0.);
-        },
-        4);
-    vpImage<unsigned char> clean = digitise(exposed, 0., random);
-    EXPECT_LT(noiseOf(clean), 0.1);
-    // Coarse: an image of 320 x 240 has only 1200 samples, which fix a median to 3.4 %.
-    vpImage<unsigned char> noisy = digitise(exposed, 5., random);
-    EXPECT_NEAR(noiseOf(noisy), withRounding(5.), 0.13 * 5.);
-  }
-}
 
 TEST(Gradient, PureNoiseStartsNothing)
 {

@@ -61,7 +61,7 @@ std::optional<Measurement> prove(const vpImage<unsigned char> &I, const MarkerSc
                                  const Deadline &deadline = Deadline())
 {
   MeasureMemory memory;
-  return measureProven(I, CameraModel(scene.camera()), noise, marker, memory, deadline);
+  return measureProven(I, CameraModel(scene.camera()), {noise, 1.}, marker, memory, deadline);
 }
 
 // How many sectors of a word are unlike those of another one that is turned by some.

@@ -118,12 +118,12 @@ TEST(Outlines, ImagesWithoutRoomAreNotReduced)
 TEST(Outlines, NoiseOfAllScalesIsTakenOver)
 {
   OutlineMemory from;
-  from.full.gradient.noise = 3.;
-  from.reduced[0].gradient.noise = 2.;
-  from.reduced[1].gradient.noise = 1.;
+  from.full.gradient.noise.sigma = 3.;
+  from.reduced[0].gradient.noise.sigma = 2.;
+  from.reduced[1].gradient.noise.sigma = 1.;
   OutlineMemory to;
   to.takeNoise(from);
-  EXPECT_EQ(to.full.gradient.noise, 3.);
-  EXPECT_EQ(to.reduced[0].gradient.noise, 2.);
-  EXPECT_EQ(to.reduced[1].gradient.noise, 1.);
+  EXPECT_EQ(to.full.gradient.noise.sigma, 3.);
+  EXPECT_EQ(to.reduced[0].gradient.noise.sigma, 2.);
+  EXPECT_EQ(to.reduced[1].gradient.noise.sigma, 1.);
 }

@@ -142,7 +142,7 @@ double fitToleranceOf(const EllipseParameters &ellipse)
 
 double riseBesideLine(const Gradient &gradient)
 {
-  return std::max(leastRise, riseOfNoise * gradient.noise);
+  return std::max(leastRise, riseOfNoise * gradient.noise.sigma);
 }
 
 EllipseReject OutlineFitter::fit(const vpImage<unsigned char> &I, const Gradient &gradient, const EdgePoint *points,

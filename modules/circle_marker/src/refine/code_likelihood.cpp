@@ -129,7 +129,7 @@ std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const 
   }
   const Contender next = contenders.next(pitch);
   const double variance = track.noise * track.noise;
-  return LikelyCode{best.code, next.code, (next.cost - best.cost) / (2. * variance),
+  return LikelyCode{best.code, next.code, (next.cost - best.cost) / (2. * variance * fit.sharing),
                     std::sqrt(std::max(best.cost, 0.) / (variance * static_cast<double>(track.pixels.size())))};
 }
 } // namespace circle_marker

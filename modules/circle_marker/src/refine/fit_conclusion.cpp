@@ -39,6 +39,14 @@ double noiseOfSquares(const Equations &equations)
   return std::max(std::sqrt(equations.squares / freedom / biweightShrinkage), quantisation);
 }
 
+// Of what a fit leaves the image's noise is shared among pixels. What the model lacks is not: where that pulls
+// neighbours the same way, the coherence tells it.
+double sharingOf(const ImageNoise &noise, double left)
+{
+  const double share = std::min(noise.sigma * noise.sigma / (left * left), 1.);
+  return 1. + share * (noise.sharing - 1.);
+}
+
 // The biweight's mean is 0.915 with normal noise, and the equations' information with it; its efficiency is 0.95.
 constexpr double biweightCovariance = 0.915 / 0.95;
 
@@ -71,6 +79,7 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
 {
   result.squares = equations.cost;
   result.noise = noiseOfSquares(equations);
+  result.sharing = sharingOf(settings.noise, result.noise);
   const Explanation explanation = fit.explain(noise);
   result.inliers = explanation.inliers;
   result.correlation = explanation.correlation;
@@ -89,11 +98,12 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
   Eigen::Matrix<double, 6, 6> covariance = positive(influence.leftCols<poseSize>());
   influence.leftCols<poseSize>() = covariance;
   if (settings.exactBends) {
-    const CoherentCovariance coherent = fit.coherentCovariance(influence, lastStep, noise, equations.used);
+    const double shared = noise * std::sqrt(result.sharing);
+    const CoherentCovariance coherent = fit.coherentCovariance(influence, lastStep, shared, equations.used);
     covariance = coherent.covariance;
     result.coherence = coherent.ratio;
   }
-  covariance *= biweightCovariance * result.noise * result.noise;
+  covariance *= biweightCovariance * result.noise * result.noise * result.sharing;
   if (!settings.spinIsKnown) {
     covariance.row(spinAt).setZero();
     covariance.col(spinAt).setZero();

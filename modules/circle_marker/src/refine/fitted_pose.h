@@ -24,6 +24,7 @@
 
 #include "pose/marker_plane.h"
 #include "refine/photometry.h"
+#include "segment/image_noise.h"
 #include "support/deadline.h"
 
 BEGIN_VISP_NAMESPACE
@@ -40,6 +41,7 @@ struct FittedPose
   bool isSettled = false;  //!< Whether it has come to the end of its steps, not to the last allowed.
   double coherence = 1.;   //!< By how much parts of the print pull the pose apart more than noise does.
   double decrement = 0.;   //!< What another step would take off the squares, grey levels^2.
+  double sharing = 1.;     //!< Number of pixels that share what is left of them (ImageNoise), as far as that is noise.
   //! Of (t, w) in the camera frame, about the marker's centre, metres and radians.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };
@@ -70,6 +72,7 @@ struct FitSettings
   Deadline deadline;          //!< When to stop, with nothing.
   //! Whether the marker is not small and was read for certain, so that starts are near: fits take shorter ways then.
   bool isClear = false;
+  ImageNoise noise;        //!< Of the image.
   bool samePixels = false; //!< Whether pixels and print are those of the fit before: what is sorted may serve again.
 };
 

@@ -276,7 +276,7 @@ std::optional<GivenUp> giveUpHopeless(const MarkerInImage &view, RankedFits &coa
   if (fits.size() < 2 || view.frame.size <= leastHopelessSize || !isHopeless(fits[1], fits[0], coarse.noise)) {
     return std::nullopt;
   }
-  const GivenUp givenUp = {fits[1], costOf(fits[1].squares - fits[0].squares, coarse.noise)};
+  const GivenUp givenUp = {fits[1], costOf(fits[1].squares - fits[0].squares, coarse.noise, fits[0].sharing)};
   fits.pop_back();
   return givenUp;
 }
@@ -286,10 +286,10 @@ Measurement measurementOf(const RankedFits &ranked, const std::optional<GivenUp>
   const Few<FittedPose> &fits = ranked.fits;
   Measurement result;
   result.first = fits[0];
-  result.cost = costOf(fits[0].squares, ranked.noise);
+  result.cost = costOf(fits[0].squares, ranked.noise, fits[0].sharing);
   if (fits.size() > 1 && !isSamePose(fits[0], fits[1])) {
     result.second = fits[1];
-    const double odds = costOf(fits[1].squares - fits[0].squares, ranked.noise);
+    const double odds = costOf(fits[1].squares - fits[0].squares, ranked.noise, fits[0].sharing);
     result.cost2 = result.cost + coherentOdds(odds, fits[0], fits[1], ranked.noise);
   }
   else if (givenUp) {
@@ -308,7 +308,7 @@ ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera)
 
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
                                    const Recognition &marker, bool refine, MeasureMemory &memory,
-                                   const Deadline &deadline)
+                                   const Deadline &deadline, const ImageNoise &noise)
 {
   MarkerPattern pattern = patternOf(marker.family, marker.code.id, marker.family.getLayout().ringInner);
   if (marker.darkness) {
@@ -316,6 +316,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   }
   const MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
   FitSettings settings = settingsFor(view, pattern, deadline);
+  settings.noise = noise;
   RankedFits ranked = marker.ring && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
   if (refine && !marker.isCertain && !ranked.fits.empty() && ranked.fits[0].correlation < leastCorrelationInDoubt) {
     return std::nullopt;

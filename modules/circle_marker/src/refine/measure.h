@@ -65,11 +65,12 @@ struct MeasureMemory
   \param refine : Whether to move the poses, or only to evaluate them.
   \param memory : Working memory.
   \param deadline : When to stop, with nothing.
+  \param noise : Noise of the image; by default pixels share none.
   \return Nothing if the image does not look like the marker after all.
 */
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
                                    const Recognition &marker, bool refine, MeasureMemory &memory,
-                                   const Deadline &deadline = Deadline());
+                                   const Deadline &deadline = Deadline(), const ImageNoise &noise = ImageNoise());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -200,7 +200,7 @@ std::optional<double> oddsIfOverExposed(const vpImage<unsigned char> &I, const C
   });
   const auto next = std::min_element(others.begin(), others.end(),
                                      [](const OtherWord &p, const OtherWord &q) { return p.cost < q.cost; });
-  return (next->cost - cost) / (2. * track.noise * track.noise);
+  return (next->cost - cost) / (2. * track.noise * track.noise * fit.sharing);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

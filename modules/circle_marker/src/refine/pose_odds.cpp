@@ -33,14 +33,14 @@ double loweredBy(double k, double odds)
 }
 } // namespace
 
-double costOf(double squares, double noise)
+double costOf(double squares, double noise, double sharing)
 {
-  return squares / (2. * noise * noise);
+  return squares / (2. * noise * noise * sharing);
 }
 
 double unrefinedOdds(double odds, const FittedPose &first, double noise)
 {
-  return loweredBy(costOf(first.decrement, noise), odds);
+  return loweredBy(costOf(first.decrement, noise, first.sharing), odds);
 }
 
 double coherentOdds(double odds, const FittedPose &first, const FittedPose &second, double noise)
@@ -52,7 +52,7 @@ double coherentOdds(double odds, const FittedPose &first, const FittedPose &seco
   for (const FittedPose *fit : {&first, &second}) {
     behind += !fit->isSettled && fit->decrement > 0. ? fit->decrement : 0.;
   }
-  return loweredBy(costOf(behind, noise) / first.coherence, odds / first.coherence);
+  return loweredBy(costOf(behind, noise, first.sharing) / first.coherence, odds / first.coherence);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -22,8 +22,14 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Half of a robust sum of squares, grey levels^2, in units of the noise's variance: a negative log-likelihood. */
-double costOf(double squares, double noise);
+/*!
+  Half of a robust sum of squares, grey levels^2, in units of the noise's variance: a negative log-likelihood, of
+  pixels whose noise is independent.
+  \param squares : The sum.
+  \param noise : Standard deviation of a pixel's noise, grey levels.
+  \param sharing : Number of pixels that share their noise: together they say as much as one.
+*/
+double costOf(double squares, double noise, double sharing);
 
 /*!
   Log-odds of poses that are not refined. Each leaves more than at its minimum beside it, by the decrement k, by chance:

@@ -24,6 +24,7 @@
 #include <Eigen/LU>
 
 #include "refine/fit_starts.h"
+#include "refine/pose_odds.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -75,7 +76,7 @@ Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> 
   const auto enter = [&](const FittedPose &fit) {
     if (pattern.sectors > 0 && fit.isSettled && (!best || fit.noise < best->noise)) {
       best = fit;
-      settings.rival = Rival{fit.squares, fit.noise, givenUpOdds};
+      settings.rival = Rival{fit.squares, fit.noise, givenUpOdds * fit.sharing};
     }
   };
   if (before) {
@@ -154,7 +155,7 @@ bool isHopeless(const FittedPose &fit, const FittedPose &best, double noise)
 {
   const double behind = fit.squares - best.squares;
   const double ahead = fit.isSettled ? 0. : std::min(fit.decrement, 0.5 * behind);
-  return behind - ahead > 2. * hopelessOdds * noise * noise;
+  return costOf(behind - ahead, noise, best.sharing) > hopelessOdds;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

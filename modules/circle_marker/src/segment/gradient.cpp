@@ -18,9 +18,7 @@
 #include "segment/gradient.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdlib>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -34,8 +32,6 @@ constexpr double continueSigmas = 4.;
 constexpr double leastStartStep = 7.;
 constexpr double leastContinueStep = 4.;
 constexpr double sobelStepGain = 4.;
-// Every 8th pixel of every 8th row: 19 thousand samples of a 1280 x 960 image fix the noise to 1 %.
-constexpr unsigned int noiseSampling = 8;
 
 // Of a vector that may start a chain one component is at least its length divided by sqrt(2).
 short leastComponentOf(const Gradient &gradient)
@@ -78,37 +74,6 @@ void sobelRow(const ThreeRows &rows, int width, short least, GradientVector *out
 }
 } // namespace
 
-double estimateNoise(const vpImage<unsigned char> &I)
-{
-  constexpr int largest = 16 * 255; // of the absolute response: the weights' absolute values sum to 16
-  std::array<int, largest + 1> histogram{};
-  int samples = 0;
-  for (unsigned int y = 1; y + 1 < I.getHeight(); y += noiseSampling) {
-    const unsigned char *above = I[y - 1];
-    const unsigned char *here = I[y];
-    const unsigned char *below = I[y + 1];
-    for (unsigned int x = 1; x + 1 < I.getWidth(); x += noiseSampling) {
-      const int response = above[x - 1] - 2 * above[x] + above[x + 1] - 2 * here[x - 1] + 4 * here[x] -
-                           2 * here[x + 1] + below[x - 1] - 2 * below[x] + below[x + 1];
-      ++histogram[static_cast<std::size_t>(std::abs(response))];
-      ++samples;
-    }
-  }
-  int below = 0;
-  int median = 0;
-  while (median < largest && 2 * (below + histogram[static_cast<std::size_t>(median)]) < samples) {
-    below += histogram[static_cast<std::size_t>(median)];
-    ++median;
-  }
-  // Responses are whole numbers: the median is placed inside its own, half a unit to either side (0: to one side), or
-  // a noise of one grey level, whose median response is 4, would be known to 12 % only.
-  const int here = histogram[static_cast<std::size_t>(median)];
-  const double share = here > 0 ? (0.5 * samples - below) / here : 0.;
-  const double placed = median > 0 ? median - 0.5 + share : 0.5 * share;
-  // The response of unit noise has standard deviation 6; the median of |x| of a normal x is 0.6745 sigma.
-  return placed / (6. * 0.6745);
-}
-
 void prepareGradient(const vpImage<unsigned char> &I, Gradient &gradient, NoiseSource noise)
 {
   gradient.width = static_cast<int>(I.getWidth());
@@ -118,7 +83,7 @@ void prepareGradient(const vpImage<unsigned char> &I, Gradient &gradient, NoiseS
   if (noise == NoiseSource::IMAGE) {
     gradient.noise = estimateNoise(I);
   }
-  const double sigma = sobelNoiseGain * gradient.noise;
+  const double sigma = sobelNoiseGain * gradient.noise.sigma;
   gradient.startAt = static_cast<int>(std::lround(std::max(startSigmas * sigma, sobelStepGain * leastStartStep)));
   gradient.continueAbove =
       static_cast<int>(std::lround(std::max(continueSigmas * sigma, sobelStepGain * leastContinueStep)));

@@ -25,6 +25,7 @@
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
 #include <visp3/core/vpImage.h>
 
+#include "segment/image_noise.h"
 #include "support/deadline.h"
 
 BEGIN_VISP_NAMESPACE
@@ -56,7 +57,7 @@ struct Gradient
   std::vector<GradientVector> vectors; //!< Row by row.
   std::vector<std::uint8_t>
       strong;            //!< Of the rows where chains start: 1 where dx or dy may start a chain, otherwise 0.
-  double noise = 0.;     //!< Standard deviation of the image noise, grey levels.
+  ImageNoise noise;      //!< Of the image.
   int startAt = 0;       //!< An edge chain starts at a pixel whose gradient magnitude is at least this.
   int continueAbove = 0; //!< An edge chain goes on over pixels whose gradient magnitude is at least this.
 
@@ -75,13 +76,6 @@ struct Gradient
 
   int squaredMagnitude(int x, int y) const { return at(x, y).squared(); }
 };
-
-/*!
-  Standard deviation of the noise of an image, grey levels: median absolute response to the difference of two
-  Laplacians, which is blind to planes and straight edges (Immerkaer, "Fast noise variance estimation", 1996; the
-  median in place of his mean keeps it from rising with texture).
-*/
-double estimateNoise(const vpImage<unsigned char> &I);
 
 /*! Where the noise of an image is known from. */
 enum class NoiseSource
