@@ -157,8 +157,8 @@ double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera,
   return static_cast<double>(visible) / directionsOfEdge;
 }
 
-double haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-              const Measurement &measurement)
+std::optional<double> haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                             const Measurement &measurement)
 {
   const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
   const double width = 1. - marker.ringInner; // of the ring, outer radii
@@ -181,14 +181,14 @@ double haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const 
       }
     }
   }
-  double halo = 0.;
+  std::optional<double> halo;
   for (std::size_t k = 0; k < distancesOfHalo.size(); ++k) {
     if (counts[k] >= directionsOfHalo / 4) {
       const double byChance = deviationsOfMedian * ring.noiseOfLevel() / std::sqrt(static_cast<double>(counts[k]));
-      halo = std::max(halo, std::abs(medianOf(off[k], counts[k])) - byChance);
+      halo = std::clamp(std::abs(medianOf(off[k], counts[k])) - byChance, halo.value_or(0.), 1.);
     }
   }
-  return std::min(halo, 1.);
+  return halo;
 }
 
 void addHaloDoubt(double halo, const CameraModel &camera, Measurement &measurement)

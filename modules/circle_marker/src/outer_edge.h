@@ -18,6 +18,8 @@
 #ifndef VP_CIRCLE_MARKER_OUTER_EDGE_H
 #define VP_CIRCLE_MARKER_OUTER_EDGE_H
 
+#include <optional>
+
 #include "decode/measured_ring.h"
 #include "decode/recognise.h"
 #include "refine/measure.h"
@@ -43,11 +45,11 @@ double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera,
 /*!
   By how much the edge is overdone: beside it the paper is whiter, and the ink blacker, than the blur explains. Cameras
   that sharpen their images, as most webcams do, leave such a halo.
-  \return The greatest median over all directions, share of the contrast, at most 1; 0 if it is no more than chance, or
-  if ring and quiet zone are too narrow to tell: of markers below some 25 pixels.
+  \return The greatest median over all directions, share of the contrast, at most 1; 0 if it is no more than chance;
+  nothing if ring and quiet zone are too narrow to tell: of markers below some 25 pixels.
 */
-double haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-              const Measurement &measurement);
+std::optional<double> haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                             const Measurement &measurement);
 
 /*!
   Takes a halo, which the model of the image does not have, into account: the covariance grows by what it may move the

@@ -312,9 +312,10 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
     }
   }
   if (settings.refinePose) {
-    widenByShapeOfBlur(visit.noise.sigma, marker.family.isCoded(), measurement->first);
+    const auto halo = marker.blurred ? std::nullopt : haloOf(visit.I, visit.camera, marker, *measurement);
+    widenByShapeOfBlur(visit.noise.sigma, marker.family.isCoded(), halo, measurement->first);
     if (!marker.blurred) { // in a wide blur there is no halo to be seen
-      fit.halo = haloOf(visit.I, visit.camera, marker, *measurement);
+      fit.halo = halo.value_or(0.);
       addHaloDoubt(std::hypot(fit.halo < leastHalo ? 0. : fit.halo, visit.haloError), visit.camera, *measurement);
     }
   }

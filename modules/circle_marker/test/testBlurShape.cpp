@@ -17,6 +17,8 @@
 
 #include "testRoomTools.h"
 
+#include <optional>
+
 #include "refine/blur_shape.h"
 
 using namespace circle_marker;
@@ -24,14 +26,15 @@ using namespace room_test;
 
 namespace {
 //! By how much the covariance of a fit grows in an image of a noise of 2 grey levels.
-double growth(double sigma, double noiseOfFit, double elongation = 0., bool isCoded = false)
+double growth(double sigma, double noiseOfFit, double elongation = 0., bool isCoded = false,
+              const std::optional<double> &leftAlike = std::nullopt)
 {
   FittedPose fit;
   fit.photometry.blur.sigma = sigma;
   fit.photometry.blur.elongation = Eigen::Vector2d(elongation, 0.);
   fit.noise = noiseOfFit;
   fit.covariance.setIdentity();
-  widenByShapeOfBlur(2., isCoded, fit);
+  widenByShapeOfBlur(2., isCoded, leftAlike, fit);
   EXPECT_TRUE(fit.covariance.isApprox(fit.covariance(0, 0) * Eigen::Matrix<double, 6, 6>::Identity()));
   return fit.covariance(0, 0);
 }
@@ -62,4 +65,14 @@ TEST(BlurShape, WidensWhatHasMovedIfItIsARing)
   EXPECT_NEAR(growth(2., 4., elongation), 1. + (1. - 0.25 * 1.03 * 1.03) * 1.5 * narrowest * (widest - narrowest),
               1e-9);
   EXPECT_EQ(growth(2., 2.05, elongation), 1.); // nothing left but noise
+}
+
+// What all directions leave alike beside the edge, a share of the contrast, is all that a shape
+// leaves.
+TEST(BlurShape, WidensByNoMoreThanAllDirectionsLeaveAlike)
+{
+  EXPECT_EQ(growth(2., 4., 0., false, 0.), 1.); // every other pixel leaves the opposite: an enlarged picture
+  const double contrast = Photometry().tellableContrast();
+  EXPECT_NEAR(growth(2., 4., 0., false, 1. / contrast), 1. + 1. / 16. * 20. * 4., 1e-9);
+  EXPECT_EQ(growth(2., 4., 0., false, 1.), growth(2., 4.));
 }

@@ -17,6 +17,9 @@
 
 #include "refine/blur_shape.h"
 
+#include <algorithm>
+#include <cmath>
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
@@ -37,7 +40,7 @@ constexpr double coherentAreaOfCode = 5.;
 constexpr double coherentAreaOfMotion = 1.5;
 } // namespace
 
-void widenByShapeOfBlur(double noise, bool isCoded, FittedPose &fit)
+void widenByShapeOfBlur(double noise, bool isCoded, const std::optional<double> &leftAlike, FittedPose &fit)
 {
   const BlurParameters &fitted = fit.photometry.blur;
   const double widest = fitted.widest();
@@ -53,7 +56,11 @@ void widenByShapeOfBlur(double noise, bool isCoded, FittedPose &fit)
   if (widest > wideBlur && !isCoded) {
     area += coherentAreaOfMotion * narrowest * (widest - narrowest);
   }
-  const double share = 1. - usual * usual / (fit.noise * fit.noise);
+  double left = fit.noise * fit.noise - usual * usual; // grey levels^2
+  if (leftAlike) {
+    left = std::min(left, std::pow(*leftAlike * fit.photometry.tellableContrast(), 2.));
+  }
+  const double share = left / (fit.noise * fit.noise);
   fit.covariance *= 1. + share * area;
 }
 } // namespace circle_marker

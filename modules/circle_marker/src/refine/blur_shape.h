@@ -23,6 +23,8 @@
 #ifndef VP_CIRCLE_MARKER_BLUR_SHAPE_H
 #define VP_CIRCLE_MARKER_BLUR_SHAPE_H
 
+#include <optional>
+
 #include "refine/fitted_pose.h"
 
 BEGIN_VISP_NAMESPACE
@@ -33,9 +35,12 @@ namespace circle_marker {
   So it does in a motion, but for some of it on a ring without a code.
   \param noise : Of the image, standard deviation, grey levels.
   \param isCoded : Whether the marker has a code.
+  \param leftAlike : What all directions leave alike beside the ring's outer edge, share of the contrast (haloOf()); the
+  rest is none of the blur's shape: of an enlarged picture much is left, but every other pixel leaves the opposite.
+  Nothing if it is not known.
   \param fit : The pose.
 */
-void widenByShapeOfBlur(double noise, bool isCoded, FittedPose &fit);
+void widenByShapeOfBlur(double noise, bool isCoded, const std::optional<double> &leftAlike, FittedPose &fit);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

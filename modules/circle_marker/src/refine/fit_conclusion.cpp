@@ -39,12 +39,19 @@ double noiseOfSquares(const Equations &equations)
   return std::max(std::sqrt(equations.squares / freedom / biweightShrinkage), quantisation);
 }
 
-// Of what a fit leaves the image's noise is shared among pixels. What the model lacks is not: where that pulls
-// neighbours the same way, the coherence tells it.
-double sharingOf(const ImageNoise &noise, double left)
+// Pixels that share what a fit leaves of them, as far as that is the image's noise. What the model lacks is not shared:
+// where it pulls neighbours the same way, the coherence tells it. left: standard deviation of what is left, grey
+// levels; blur: of the edges, pixels.
+double sharingOf(const ImageNoise &noise, double left, double blur)
 {
+  // The more the edges are blurred the longer the waves that move them: those of eight pixels, for which the sharing is
+  // known, at a blur of 0.85 pixels, and in the end the longest, of which smoothed, enlarged and demosaiced pictures
+  // have twice as much.
+  constexpr double ofLongest = 2.;
+  constexpr double halfway = 1.47; // pixels
+  const double ofBlur = ofLongest * blur / std::hypot(blur, halfway);
   const double share = std::min(noise.sigma * noise.sigma / (left * left), 1.);
-  return 1. + share * (noise.sharing - 1.);
+  return 1. + share * ofBlur * (noise.sharing - 1.);
 }
 
 // The biweight's mean is 0.915 with normal noise, and the equations' information with it; its efficiency is 0.95.
@@ -79,7 +86,7 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
 {
   result.squares = equations.cost;
   result.noise = noiseOfSquares(equations);
-  result.sharing = sharingOf(settings.noise, result.noise);
+  result.sharing = sharingOf(settings.noise, result.noise, result.photometry.blur.sigma);
   const Explanation explanation = fit.explain(noise);
   result.inliers = explanation.inliers;
   result.correlation = explanation.correlation;

@@ -34,7 +34,7 @@ constexpr unsigned int noiseSampling = 8;
 // fewer than the least the flattest of them are flat by chance.
 constexpr int sideOfBlock = 8;
 constexpr int pixelsOfBlock = sideOfBlock * sideOfBlock;
-constexpr std::size_t mostBlocks = 512;
+constexpr std::size_t mostBlocks = 256;
 constexpr std::size_t leastBlocks = 30;
 // The share of blocks that is taken for flat, since photographs seldom have more of them, and the quantile of a normal
 // distribution that has as much below it.
