@@ -20,9 +20,11 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 #include <benchmark/benchmark.h>
 
+#include "common/processed_picture.h"
 #include "peers.h"
 
 namespace bench {
@@ -109,6 +111,21 @@ void registerWholeFrames()
   }
   for (const unsigned int markers : {1U, 10U, 50U, 100U, 250U, 500U}) {
     add(circleMarker(), "markers/" + std::to_string(markers), sceneMaker(framed(4000, 3000, markers, false)));
+  }
+  // Much noise that neighbouring pixels share.
+  SceneOptions noisy = framed(640, 480, 1, true);
+  noisy.noise = 10.;
+  using common::Processing;
+  for (const auto &[name, processing] : {std::pair<const char *, Processing>("none", Processing::NONE),
+                                         {"demosaiced", Processing::DEMOSAICED},
+                                         {"smoothed", Processing::SMOOTHED},
+                                         {"enlarged", Processing::ENLARGED}}) {
+    add(circleMarker(), std::string("processed/") + name, [noisy, processing = processing]() {
+      Scene scene = makeScene(noisy);
+      common::process(processing, scene.image);
+      scene.camera = common::cameraOf(processing, scene.camera);
+      return scene;
+    });
   }
   for (const std::string &name : hardImages()) {
     for (const Size size : {Size{640, 480}, Size{1280, 960}, Size{2560, 1920}}) {

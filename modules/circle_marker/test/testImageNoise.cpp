@@ -207,3 +207,13 @@ TEST(ImageNoise, IndependentBesideTexture)
   EXPECT_EQ(estimateNoise(pictureOf(plane(40, 40, 127., 0., 0.), noise, random)).sharing, 1.);
   EXPECT_EQ(estimateNoise(vpImage<unsigned char>(2, 2, 100)).sigma, 0.);
 }
+
+// Without noise, rounding makes waves of a slope.
+TEST(ImageNoise, RoundingIsIndependent)
+{
+  Random random = randomOfTest();
+  for (int k = 0; k < 20; ++k) {
+    const vpImage<double> slope = plane(640, 480, 127.3, uniform(random, -0.15, 0.15), uniform(random, -0.15, 0.15));
+    EXPECT_EQ(estimateNoise(digitise(slope, 0.1, random)).sharing, 1.) << k;
+  }
+}
