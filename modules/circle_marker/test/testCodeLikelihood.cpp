@@ -149,6 +149,24 @@ TEST(CodeLikelihood, OddsFallWithTheNoise)
   }
 }
 
+// Over the number of pixels that share it.
+TEST(CodeLikelihood, SharedNoiseLowersTheOdds)
+{
+  Random random = randomOfTest();
+  const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 5, 20., 0.3, side);
+  const vpImage<unsigned char> I = imageOf(scene, random);
+  FittedPose fit = fitOf(scene, 2.);
+  CodeImage track;
+  const auto oddsIfShared = [&](double sharing) {
+    fit.sharing = sharing;
+    const auto code = mostLikelyCode(I, CameraModel(scene.camera()), fit, scene.frame(), scene.family, track);
+    return code ? code->odds : 0.;
+  };
+  const double independent = oddsIfShared(1.);
+  ASSERT_GT(independent, 10.);
+  EXPECT_NEAR(oddsIfShared(4.), independent / 4., 1e-9 * independent);
+}
+
 // Paper that is a little brighter than the sensor can tell is taken for as bright as it is.
 TEST(CodeLikelihood, ALittleOverExposureHidesNothing)
 {

@@ -84,6 +84,31 @@ TEST(FitConclusion, CovarianceIsThatOfTheBoundAtTheBiweightsEfficiency)
   EXPECT_NEAR(ratio, 1. / 0.95, 0.015);
 }
 
+// Of pixels that share their noise fewer count, as far as that is what is left: of the residuals' variance a quarter,
+// where the image's noise is half as large.
+TEST(FitConclusion, SharedNoiseWidensTheCovariance)
+{
+  Random random = randomOfTest();
+  Case made = markerOf(80., random);
+  fillFromModel(made, Light(), BlurParameters(), 2., random);
+  FitSettings settings = modelSettings();
+  const auto independent = fitAll(made.pixels, made.scene.plane(), made.pattern, settings);
+  ASSERT_TRUE(independent);
+  EXPECT_EQ(independent->sharing, 1.);
+  const double blur = independent->photometry.blur.sigma;
+  const double left = independent->noise;
+  for (const double sigma : {left, 0.5 * left, 3. * left}) {
+    settings.noise = {sigma, 5.};
+    const auto shared = fitAll(made.pixels, made.scene.plane(), made.pattern, settings);
+    ASSERT_TRUE(shared);
+    const double share = std::min(1., std::pow(sigma / left, 2.));
+    const double expected = 1. + share * 4. * 2. * blur / std::hypot(blur, 1.47);
+    EXPECT_NEAR(shared->sharing, expected, 1e-6 * expected);
+    EXPECT_TRUE(shared->covariance.isApprox(expected * independent->covariance, 1e-6));
+    EXPECT_EQ(shared->squares, independent->squares);
+  }
+}
+
 // The decrement is what another step takes off the squares. In normal noise it is 0.762 / 0.915 of that, by what the
 // weights change on the way, to first order.
 TEST(FitConclusion, DecrementIsWhatIsLeftToGain)

@@ -60,6 +60,7 @@ TEST(PoseOdds, AFitThatIsOnItsWaySaysLess)
 TEST(PoseOdds, UnrefinedPosesLeaveMoreByChance)
 {
   EXPECT_NEAR(costOf(48., 2., 1.), 6., 1e-12);
+  EXPECT_NEAR(costOf(48., 2., 3.), 2., 1e-12); // three pixels that share their noise are one
   EXPECT_NEAR(unrefinedOdds(8., fit(1., 48., false), 2.), 2. * 64. / (16. + 36.), 1e-12);
   EXPECT_EQ(unrefinedOdds(0., fit(1., 0., true), 2.), 0.);
 }

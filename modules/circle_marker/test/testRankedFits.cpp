@@ -276,3 +276,19 @@ TEST(RankedFits, WhoIsFarBehindAndDoesNotCatchUpIsHopeless)
   EXPECT_FALSE(isHopelessBehind(59., false, 1000.));
   EXPECT_TRUE(isHopelessBehind(61., false, 1000.));
 }
+
+// Three pixels that share their noise say as much as one.
+TEST(RankedFits, SharedNoiseTakesMoreToBeHopeless)
+{
+  FittedPose best = fitOf(leaning(0.4, 0.));
+  best.sharing = 3.;
+  FittedPose fit = fitOf(leaning(0.4, M_PI));
+  fit.isSettled = true;
+  fit.squares = best.squares + 2. * 89.;
+  EXPECT_FALSE(isHopeless(fit, best, 1.));
+  fit.squares = best.squares + 2. * 91.;
+  EXPECT_TRUE(isHopeless(fit, best, 1.));
+  FittedPose before = best;
+  before.noise = 1.7;
+  EXPECT_EQ(Fits().askedFor(startsFrom(2), withCode, FitSettings(), before)[0].settings.rival->odds, 3. * 90.);
+}
