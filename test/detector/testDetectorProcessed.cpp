@@ -30,10 +30,11 @@ using common::Processing;
 namespace {
 struct Honesty
 {
-  double squared = 0.; // mean Mahalanobis distance^2 by degrees of freedom
-  unsigned int found = 0;
-  unsigned int others = 0; // read as another marker
-  double wrongOdds = 0.;   // greatest log-odds of a pose that is the mirrored one
+  double squared = 0.;       // mean Mahalanobis distance^2 by degrees of freedom
+  unsigned int found = 0;    // and rightly read
+  unsigned int mirrored = 0; // of these
+  unsigned int others = 0;   // read as another marker
+  double wrongOdds = 0.;     // greatest log-odds of a pose that is the mirrored one
 };
 
 constexpr int images = 40;
@@ -69,12 +70,13 @@ Honesty honestyOf(const vpCircleMarkerFamily &family, Processing processing, dou
     ++honesty.found;
     const Eigen::Vector3d normal = rotationOf(truth).col(2);
     if (rotationOf(detection.cMo).col(2).dot(normal) < std::cos(0.15)) {
+      ++honesty.mirrored;
       honesty.wrongOdds = std::max(honesty.wrongOdds, detection.logOdds);
       continue;
     }
     honesty.squared += mahalanobis(truth, detection.cMo, detection.covariance, detection.dof) / detection.dof;
   }
-  honesty.squared /= std::max(honesty.found, 1u);
+  honesty.squared /= std::max(honesty.found - honesty.mirrored, 1u);
   return honesty;
 }
 } // namespace

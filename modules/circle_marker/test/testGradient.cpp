@@ -22,25 +22,11 @@
 using namespace circle_marker;
 using namespace room_test;
 
-namespace {
-//! Grey plane, tilted by some grey levels a pixel.
-vpImage<double> plane(unsigned int width, unsigned int height, double grey, double byU, double byV)
-{
-  vpImage<double> I(height, width);
-  for (unsigned int v = 0; v < height; ++v) {
-    for (unsigned int u = 0; u < width; ++u) {
-      I[v][u] = grey + byU * (u - 0.5 * width) + byV * (v - 0.5 * height);
-    }
-  }
-  return I;
-}
-} // namespace
-
 TEST(Gradient, PureNoiseStartsNothing)
 {
   Random random = randomOfTest();
   for (const double sigma : {0.5, 3., 12.}) {
-    const vpImage<unsigned char> I = digitise(plane(640, 480, 127., 0., 0.), sigma, random);
+    const vpImage<unsigned char> I = digitise(greyPlane(640, 480, 127., 0., 0.), sigma, random);
     Gradient gradient;
     computeGradient(I, gradient);
     int starts = 0;
@@ -64,7 +50,7 @@ TEST(Gradient, ThresholdsFollowTheNoise)
   Gradient gradient;
   double previous = 0.;
   for (const double sigma : {4., 8., 16.}) {
-    computeGradient(digitise(plane(1280, 960, 127., 0., 0.), sigma, random), gradient);
+    computeGradient(digitise(greyPlane(1280, 960, 127., 0., 0.), sigma, random), gradient);
     if (previous > 0.) {
       EXPECT_NEAR(gradient.startAt / previous, 2., 0.1);
     }

@@ -127,6 +127,18 @@ vpImage<double> expose(unsigned int width, unsigned int height, double blur, con
   return exposed;
 }
 
+//! Grey plane, tilted by some grey levels a pixel.
+inline vpImage<double> greyPlane(unsigned int width, unsigned int height, double grey, double byU, double byV)
+{
+  vpImage<double> I(height, width);
+  for (unsigned int v = 0; v < height; ++v) {
+    for (unsigned int u = 0; u < width; ++u) {
+      I[v][u] = grey + byU * (u - 0.5 * width) + byV * (v - 0.5 * height);
+    }
+  }
+  return I;
+}
+
 //! The sensor: adds noise, rounds and clamps.
 inline vpImage<unsigned char> digitise(const vpImage<double> &exposed, double noise, Random &random)
 {
