@@ -138,6 +138,46 @@ TEST(CapPairs, EveryPairNearEnoughIsACandidateOnce)
   EXPECT_LT(pairs.size(), 6 * near) << "those far away are left out";
 }
 
+TEST(CapPairs, LookApartAlongTheLineBetweenThem)
+{
+  constexpr double mostAngle = 0.5548; // acos(0.85)
+  Random random = randomOfTest();
+  const auto randomCap = [&]() {
+    EdgeCap cap;
+    const double angle = uniform(random, -M_PI, M_PI);
+    cap.tip = Eigen::Vector2d(uniform(random, 0., 40.), uniform(random, 0., 40.));
+    cap.axis = Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    cap.isDark = uniform(random, 0., 1.) < 0.5;
+    return cap;
+  };
+  unsigned int apart = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const EdgeCap one = randomCap();
+    const EdgeCap other = randomCap();
+    const Eigen::Vector2d along = one.tip - other.tip;
+    const auto angleTo = [](const Eigen::Vector2d &p, const Eigen::Vector2d &q) {
+      return std::abs(std::atan2(p.x() * q.y() - p.y() * q.x(), p.dot(q)));
+    };
+    const double angle = std::max(angleTo(along, one.axis), angleTo(-along, other.axis));
+    if (std::abs(angle - mostAngle) < 1e-3) {
+      continue;
+    }
+    const bool isApart = one.isDark == other.isDark && angle < mostAngle && along.norm() >= 10.;
+    EXPECT_EQ(lookApart(CapOutlook(one), CapOutlook(other)), isApart);
+    apart += isApart ? 1 : 0;
+  }
+  EXPECT_GT(apart, 100U);
+  EdgeCap near;
+  EdgeCap far;
+  near.axis = -Eigen::Vector2d::UnitX();
+  far.axis = Eigen::Vector2d::UnitX();
+  near.tip = Eigen::Vector2d::Zero();
+  for (const double length : {9.9, 10.1, longestNarrow - 0.1, longestNarrow + 0.1}) {
+    far.tip = Eigen::Vector2d(length, 0.);
+    EXPECT_EQ(lookApart(CapOutlook(near), CapOutlook(far)), length > 10. && length < longestNarrow);
+  }
+}
+
 TEST(CapPairs, WhatIsNoPair)
 {
   const EllipseScene dark = {center, 30., 3.5, 0.4};

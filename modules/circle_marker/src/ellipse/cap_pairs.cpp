@@ -59,20 +59,29 @@ bool areSidesBeside(const CapSides &sides, const EdgeCap &cap, const Eigen::Vect
 }
 } // namespace
 
+bool lookApart(const CapOutlook &one, const CapOutlook &other)
+{
+  const Eigen::Vector2d along = one.tip - other.tip;
+  const double squared = along.squaredNorm();
+  const double out = along.dot(one.axis);
+  const double otherOut = -along.dot(other.axis);
+  const double least = leastAlong * leastAlong * squared;
+  // All at once: which of these refuses a pair cannot be foreseen.
+  const int isSame = static_cast<int>(one.isDark == other.isDark);
+  const int looksAway = static_cast<int>(out > 0.) & static_cast<int>(otherOut > 0.);
+  const int isAlong = static_cast<int>(out * out >= least) & static_cast<int>(otherOut * otherOut >= least);
+  const int isLong = static_cast<int>(squared >= shortestNarrow * shortestNarrow) &
+                     static_cast<int>(squared <= longestNarrow * longestNarrow);
+  return (isSame & looksAway & isAlong & isLong) != 0;
+}
+
 bool mayBeEnds(const EdgeChains &chains, const EdgeCap &one, const EdgeCap &other)
 {
-  if (one.isDark != other.isDark) {
+  if (!lookApart(CapOutlook(one), CapOutlook(other))) {
     return false;
   }
   const Eigen::Vector2d along = one.tip - other.tip;
-  if (along.dot(one.axis) <= 0. || along.dot(other.axis) >= 0.) {
-    return false; // most of them: at once
-  }
   const double length = along.norm();
-  if (length < shortestNarrow || length > longestNarrow || along.dot(one.axis) < leastAlong * length ||
-      -along.dot(other.axis) < leastAlong * length) {
-    return false;
-  }
   const auto half = static_cast<std::size_t>(0.5 * length);
   std::size_t pixels = 0;
   for (const EdgeCap *cap : {&one, &other}) {

@@ -29,6 +29,20 @@ namespace circle_marker {
 /*! The longest narrow thing that is put together from its ends, pixels. */
 constexpr double longestNarrow = 420.;
 
+/*! Where a cap is and what way it looks. Most pairs are refused by that alone, and there may be a hundred thousand. */
+struct CapOutlook
+{
+  explicit CapOutlook(const EdgeCap &cap) : tip(cap.tip), axis(cap.axis), isDark(cap.isDark) {}
+
+  Eigen::Vector2d tip;  //!< EdgeCap::tip.
+  Eigen::Vector2d axis; //!< EdgeCap::axis.
+  bool isDark;          //!< EdgeCap::isDark.
+};
+
+/*! Whether two caps, dark or bright both, look away from each other along the line from tip to tip, which is neither
+  too long nor too short. */
+bool lookApart(const CapOutlook &one, const CapOutlook &other);
+
 /*!
   Whether two caps may be the ends of one thing: dark or bright both, they look away from each other, together they are
   most of an outline, and their sides lie to either side of the line from tip to tip, not too far from it.

@@ -27,6 +27,7 @@
 
 #include "edges/convex_arcs.h"
 #include "edges/edge_caps.h"
+#include "ellipse/cap_pairs.h"
 #include "ellipse/known_outlines.h"
 #include "ellipse/loose_arcs.h"
 #include "ellipse/outline_fitter.h"
@@ -80,6 +81,7 @@ struct EllipseMemory
   std::vector<Proposal *> proposals; //!< Of all workspaces, in the order of their chains.
   std::vector<LooseArc *> loose;     //!< Of all workspaces, the longest first.
   std::vector<const EdgeCap *> caps; //!< Of all workspaces.
+  std::vector<CapOutlook> outlooks;  //!< Theirs.
   std::vector<Around> around;        //!< One per cap.
   KnownOutlines known;
   bool keepsRefusals = false; //!< Whether refusals are kept, to be shown.

@@ -80,6 +80,11 @@ void joinCaps(const EllipseSearch &search)
     return;
   }
   sortCaps(caps);
+  std::vector<CapOutlook> &outlooks = search.memory.outlooks;
+  outlooks.clear();
+  for (const EdgeCap *cap : caps) {
+    outlooks.emplace_back(*cap);
+  }
   search.memory.around.assign(caps.size(), {});
   EllipseMemory::Workspace &workspace = search.memory.workspaces.front();
   std::size_t left = fewestEnds + search.I.getSize() / pixelsForEnds;
@@ -89,7 +94,7 @@ void joinCaps(const EllipseSearch &search)
     }
     for (const CapRange &range : candidatesFor(caps, i)) {
       for (std::size_t j = range.begin; j < range.end; ++j) {
-        if (!mayBeEnds(search.chains, *caps[i], *caps[j])) {
+        if (!lookApart(outlooks[i], outlooks[j]) || !mayBeEnds(search.chains, *caps[i], *caps[j])) {
           continue;
         }
         if (left == 0 || search.deadline.hasPassed()) {
