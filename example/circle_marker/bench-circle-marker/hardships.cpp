@@ -23,6 +23,7 @@
 #include <random>
 
 #include "common/processed_picture.h"
+#include "common/undistorted_picture.h"
 
 namespace bench {
 namespace {
@@ -239,6 +240,31 @@ void processPicture(common::Processing processing, Scene &scene)
   }
 }
 
+bool isUndistorted(const Hardship &hardship)
+{
+  return hardship.name == "undistorted, noise";
+}
+
+// A camera with a lens of a wide angle: at the image's corners it moves points by 0.05 of their radius.
+vpCameraParameters wideAngleCamera()
+{
+  constexpr double kdu = 0.2;
+  vpCameraParameters camera = cameraOf(imageWidth, imageHeight);
+  camera.initPersProjWithDistortion(camera.get_px(), camera.get_py(), camera.get_u0(), camera.get_v0(), -kdu, kdu);
+  return camera;
+}
+
+// The picture without the lens's distortion, with what is true of it.
+void undistortPicture(Scene &scene)
+{
+  common::undistort(scene.camera, scene.image);
+  for (vpMarkerTruth &truth : scene.truth) {
+    truth.center = common::undistortedPlace(scene.camera, truth.center);
+    truth.ellipse->center = common::undistortedPlace(scene.camera, truth.ellipse->center);
+  }
+  scene.camera = common::straightened(scene.camera);
+}
+
 void spoil(Draft &draft, const Hardship &hardship, Random &random, vpSceneMotion &motion, double &sheet)
 {
   vpScenePhotometry &photometry = draft.photometry;
@@ -248,7 +274,7 @@ void spoil(Draft &draft, const Hardship &hardship, Random &random, vpSceneMotion
     photometry.paper = 120. + 0.5 * hardship.level;
     photometry.ink = 120. - 0.5 * hardship.level;
   }
-  else if (name("noise") || processingOf(hardship) != common::Processing::NONE) {
+  else if (name("noise") || isUndistorted(hardship) || processingOf(hardship) != common::Processing::NONE) {
     photometry.noiseSigma = hardship.level;
   }
   else if (name("motion")) {
@@ -320,6 +346,8 @@ const std::vector<Hardship> &hardships()
                                      {"smoothed, noise", 10.},
                                      {"enlarged, noise", 2.},
                                      {"enlarged, noise", 10.},
+                                     {"undistorted, noise", 2.},
+                                     {"undistorted, noise", 10.},
                                      {"motion", 0.1},
                                      {"motion", 0.25},
                                      {"defocus", 0.08},
@@ -349,7 +377,8 @@ const std::vector<Hardship> &hardships()
 Scene makeHardScene(const Hardship &hardship, const std::string &family, std::uint64_t seed, HardMarkers markers)
 {
   Random random(seed);
-  Draft draft = {vpMarkerSceneSimulator(cameraOf(imageWidth, imageHeight), imageWidth, imageHeight), {}};
+  const vpCameraParameters camera = isUndistorted(hardship) ? wideAngleCamera() : cameraOf(imageWidth, imageHeight);
+  Draft draft = {vpMarkerSceneSimulator(camera, imageWidth, imageHeight), {}};
   const bool isSmall = markers == HardMarkers::SMALL;
   const double least = isSmall ? leastSmall : leastDiameter;
   draft.diameter = least * std::pow((isSmall ? mostSmall : mostDiameter) / least, uniform(random, 0., 1.));
@@ -394,6 +423,9 @@ Scene makeHardScene(const Hardship &hardship, const std::string &family, std::ui
   scene.camera = draft.simulator.getCameraParameters();
   scene.truth = draft.simulator.render(scene.image, seed);
   processPicture(processingOf(hardship), scene);
+  if (isUndistorted(hardship)) {
+    undistortPicture(scene);
+  }
   return scene;
 }
 } // namespace bench
