@@ -34,8 +34,11 @@ vpImagePoint undistortedPlace(const vpCameraParameters &camera, const vpImagePoi
 /*!
   Undistorts a picture with linear interpolation. vpImageTools::undistort() takes the coefficient kud, from metres to
   pixels, which is no exact inverse of kdu; here it is the conversion from pixels to metres that is inverted, so that
-  the camera of the result is exactly straightened(). What comes from outside of the picture is black. \param camera :
-  The picture's camera, with a radial distortion of less than a third of the radius. \param I : The picture.
+  the camera of the result is exactly straightened(). What comes from outside of the picture is black.
+
+  \param camera : The picture's camera, with a radial distortion of less than a third of the radius.
+
+  \param I : The picture.
 */
 void undistort(const vpCameraParameters &camera, vpImage<unsigned char> &I);
 } // namespace common
