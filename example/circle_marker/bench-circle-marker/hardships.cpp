@@ -22,8 +22,7 @@
 #include <functional>
 #include <random>
 
-#include "common/processed_picture.h"
-#include "common/undistorted_picture.h"
+#include "hard_pictures.h"
 
 namespace bench {
 namespace {
@@ -218,53 +217,6 @@ void moveOut(Draft &draft, double share, Random &random)
   outside(numberFor(share, -mostDiameter, mostDiameter, outside));
 }
 
-common::Processing processingOf(const Hardship &hardship)
-{
-  return hardship.name == "colour sensor, noise" ? common::Processing::DEMOSAICED
-         : hardship.name == "smoothed, noise"    ? common::Processing::SMOOTHED
-         : hardship.name == "enlarged, noise"    ? common::Processing::ENLARGED
-                                                 : common::Processing::NONE;
-}
-
-// The picture as it comes to the detector, with what is true of it.
-void processPicture(common::Processing processing, Scene &scene)
-{
-  common::process(processing, scene.image);
-  scene.camera = common::cameraOf(processing, scene.camera);
-  const double scale = common::enlargementBy(processing);
-  for (vpMarkerTruth &truth : scene.truth) {
-    truth.center = common::placeIn(processing, truth.center);
-    truth.ellipse->center = common::placeIn(processing, truth.ellipse->center);
-    truth.ellipse->semiAxisA *= scale;
-    truth.ellipse->semiAxisB *= scale;
-  }
-}
-
-bool isUndistorted(const Hardship &hardship)
-{
-  return hardship.name == "undistorted, noise";
-}
-
-// A camera with a lens of a wide angle: at the image's corners it moves points by 0.05 of their radius.
-vpCameraParameters wideAngleCamera()
-{
-  constexpr double kdu = 0.2;
-  vpCameraParameters camera = cameraOf(imageWidth, imageHeight);
-  camera.initPersProjWithDistortion(camera.get_px(), camera.get_py(), camera.get_u0(), camera.get_v0(), -kdu, kdu);
-  return camera;
-}
-
-// The picture without the lens's distortion, with what is true of it.
-void undistortPicture(Scene &scene)
-{
-  common::undistort(scene.camera, scene.image);
-  for (vpMarkerTruth &truth : scene.truth) {
-    truth.center = common::undistortedPlace(scene.camera, truth.center);
-    truth.ellipse->center = common::undistortedPlace(scene.camera, truth.ellipse->center);
-  }
-  scene.camera = common::straightened(scene.camera);
-}
-
 void spoil(Draft &draft, const Hardship &hardship, Random &random, vpSceneMotion &motion, double &sheet)
 {
   vpScenePhotometry &photometry = draft.photometry;
@@ -274,7 +226,7 @@ void spoil(Draft &draft, const Hardship &hardship, Random &random, vpSceneMotion
     photometry.paper = 120. + 0.5 * hardship.level;
     photometry.ink = 120. - 0.5 * hardship.level;
   }
-  else if (name("noise") || isUndistorted(hardship) || processingOf(hardship) != common::Processing::NONE) {
+  else if (name("noise") || isOfPictures(hardship)) {
     photometry.noiseSigma = hardship.level;
   }
   else if (name("motion")) {
@@ -377,8 +329,7 @@ const std::vector<Hardship> &hardships()
 Scene makeHardScene(const Hardship &hardship, const std::string &family, std::uint64_t seed, HardMarkers markers)
 {
   Random random(seed);
-  const vpCameraParameters camera = isUndistorted(hardship) ? wideAngleCamera() : cameraOf(imageWidth, imageHeight);
-  Draft draft = {vpMarkerSceneSimulator(camera, imageWidth, imageHeight), {}};
+  Draft draft = {vpMarkerSceneSimulator(hardCamera(hardship, imageWidth, imageHeight), imageWidth, imageHeight), {}};
   const bool isSmall = markers == HardMarkers::SMALL;
   const double least = isSmall ? leastSmall : leastDiameter;
   draft.diameter = least * std::pow((isSmall ? mostSmall : mostDiameter) / least, uniform(random, 0., 1.));
@@ -422,10 +373,7 @@ Scene makeHardScene(const Hardship &hardship, const std::string &family, std::ui
   Scene scene;
   scene.camera = draft.simulator.getCameraParameters();
   scene.truth = draft.simulator.render(scene.image, seed);
-  processPicture(processingOf(hardship), scene);
-  if (isUndistorted(hardship)) {
-    undistortPicture(scene);
-  }
+  processPicture(hardship, scene);
   return scene;
 }
 } // namespace bench
