@@ -26,8 +26,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
 #include <visp3/circle_marker_simulator/vpMarkerSceneSimulator.h>
@@ -48,43 +46,15 @@ constexpr unsigned int height = 480;
 constexpr double focal = 800.; // pixels
 constexpr double size = 0.18;  // m
 
-inline vpCameraParameters straightCamera()
-{
-  return vpCameraParameters(focal, focal, 319.5, 239.5);
-}
+vpCameraParameters straightCamera();
 
-inline Eigen::Matrix3d rotationOf(const vpHomogeneousMatrix &cMo)
-{
-  Eigen::Matrix3d R;
-  for (unsigned int row = 0; row < 3; ++row) {
-    for (unsigned int column = 0; column < 3; ++column) {
-      R(row, column) = cMo[row][column];
-    }
-  }
-  return R;
-}
+Eigen::Matrix3d rotationOf(const vpHomogeneousMatrix &cMo);
 
-inline Eigen::Vector3d translationOf(const vpHomogeneousMatrix &cMo)
-{
-  return Eigen::Vector3d(cMo[0][3], cMo[1][3], cMo[2][3]);
-}
+Eigen::Vector3d translationOf(const vpHomogeneousMatrix &cMo);
 
-inline vpHomogeneousMatrix poseOf(const Eigen::Matrix3d &R, const Eigen::Vector3d &t)
-{
-  vpHomogeneousMatrix cMo;
-  for (unsigned int row = 0; row < 3; ++row) {
-    for (unsigned int column = 0; column < 3; ++column) {
-      cMo[row][column] = R(row, column);
-    }
-    cMo[row][3] = t[row];
-  }
-  return cMo;
-}
+vpHomogeneousMatrix poseOf(const Eigen::Matrix3d &R, const Eigen::Vector3d &t);
 
-inline Eigen::Matrix3d turn(double angle, const Eigen::Vector3d &axis)
-{
-  return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix();
-}
+Eigen::Matrix3d turn(double angle, const Eigen::Vector3d &axis);
 
 /*!
   A z-aligned pose of any spin.
@@ -92,107 +62,28 @@ inline Eigen::Matrix3d turn(double angle, const Eigen::Vector3d &axis)
   \e tilt: Angle between normal and line of sight, rad.
   \e u and \e v: Image of the centre by a camera without distortion, pixels.
 */
-inline vpHomogeneousMatrix randomPose(Random &random, double diameter, double tilt, double u, double v)
-{
-  const double depth = focal * size / diameter;
-  const Eigen::Vector3d center = depth * Eigen::Vector3d((u - 319.5) / focal, (v - 239.5) / focal, 1.);
-  const Eigen::Vector3d sight = center.normalized();
-  const Eigen::Matrix3d facing = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), sight).toRotationMatrix();
-  const double azimuth = uniform(random, 0., 2. * M_PI);
-  return poseOf(facing * turn(tilt, Eigen::Vector3d(std::cos(azimuth), std::sin(azimuth), 0.)) *
-                    turn(uniform(random, -M_PI, M_PI), Eigen::Vector3d::UnitZ()),
-                center);
-}
+vpHomogeneousMatrix randomPose(Random &random, double diameter, double tilt, double u, double v);
 
 //! The same anywhere in the image, off its rim.
-inline vpHomogeneousMatrix randomPose(Random &random, double diameter, double tilt)
-{
-  const double margin = std::min(0.75 * diameter, 0.5 * height);
-  return randomPose(random, diameter, tilt, uniform(random, margin, width - margin),
-                    uniform(random, margin, height - margin));
-}
+vpHomogeneousMatrix randomPose(Random &random, double diameter, double tilt);
 
 //! A marker of any family as it is printed.
-inline vpSimulatedMarker printed(const vpCircleMarkerFamily &family, int id, double diameter = size)
-{
-  switch (family.getType()) {
-  case vpCircleMarkerFamily::RING:
-    return vpSimulatedMarker::ring(diameter, family.getLayout().ringInner);
-  case vpCircleMarkerFamily::DISC:
-    return vpSimulatedMarker::disc(diameter);
-  default:
-    return vpSimulatedMarker::circle(family.getName(), id, diameter);
-  }
-}
+vpSimulatedMarker printed(const vpCircleMarkerFamily &family, int id, double diameter = size);
 
-inline int randomId(Random &random, const vpCircleMarkerFamily &family)
-{
-  return family.isCoded() ? static_cast<int>(random() % family.getNbIds()) : -1;
-}
+int randomId(Random &random, const vpCircleMarkerFamily &family);
 
-inline vpImage<unsigned char> imageOf(const vpCameraParameters &cam, const std::vector<vpSimulatedMarker> &markers,
-                                      Random &random)
-{
-  vpMarkerSceneSimulator simulator(cam, width, height);
-  for (const vpSimulatedMarker &marker : markers) {
-    simulator.addMarker(marker);
-  }
-  vpImage<unsigned char> I;
-  simulator.render(I, random());
-  return I;
-}
+vpImage<unsigned char> imageOf(const vpCameraParameters &cam, const std::vector<vpSimulatedMarker> &markers,
+                               Random &random);
 
-inline vpImage<unsigned char> imageOf(const vpSimulatedMarker &marker, Random &random)
-{
-  return imageOf(straightCamera(), {marker}, random);
-}
+vpImage<unsigned char> imageOf(const vpSimulatedMarker &marker, Random &random);
 
 /*!
   Squared Mahalanobis distance of the truth from a z-aligned pose, by the definition of the covariance:
   truth = exp(delta) estimate. Both are moved to the marker's centre, t = v + w x C, where the numbers are well
   conditioned; a marker without a code is compared up to its spin, in 5 dimensions.
 */
-inline double mahalanobis(const vpHomogeneousMatrix &truth, const vpHomogeneousMatrix &estimate,
-                          const vpMatrix &covariance, unsigned int freedom)
-{
-  const Eigen::Matrix3d R = rotationOf(estimate);
-  const Eigen::Vector3d C = translationOf(estimate);
-  Eigen::Matrix<double, 6, 6> camera;
-  for (unsigned int row = 0; row < 6; ++row) {
-    for (unsigned int column = 0; column < 6; ++column) {
-      camera(row, column) = covariance[row][column];
-    }
-  }
-  Eigen::Matrix3d cross;
-  cross << 0., -C.z(), C.y(), C.z(), 0., -C.x(), -C.y(), C.x(), 0.;
-  Eigen::Matrix<double, 6, 6> move = Eigen::Matrix<double, 6, 6>::Identity();
-  move.topRightCorner<3, 3>() = -cross;
-  // Rows: translation, turns about the marker's x and y, its spin.
-  Eigen::Matrix<double, 6, 6> axes = Eigen::Matrix<double, 6, 6>::Identity();
-  axes.bottomRightCorner<3, 3>() = R.transpose();
-  const Eigen::Matrix<double, 6, 6> local = axes * move * camera * move.transpose() * axes.transpose();
-  const Eigen::Matrix3d trueR = rotationOf(truth);
-  Eigen::Vector3d w;
-  if (freedom == 6) {
-    const Eigen::AngleAxisd rotation(Eigen::Matrix3d(trueR * R.transpose()));
-    w = rotation.angle() * rotation.axis();
-  }
-  else {
-    const Eigen::Vector3d across = R.col(2).cross(trueR.col(2));
-    const double sine = across.norm();
-    w = sine > 0. ? Eigen::Vector3d(std::atan2(sine, R.col(2).dot(trueR.col(2))) / sine * across) : across;
-  }
-  Eigen::Matrix<double, 6, 1> error;
-  error << translationOf(truth) - C, R.transpose() * w;
-  const auto n = static_cast<Eigen::Index>(freedom);
-  const Eigen::MatrixXd used = local.topLeftCorner(n, n);
-  const Eigen::VectorXd e = error.head(n);
-  // Metres and radians differ in size: each in its own standard deviation.
-  const Eigen::VectorXd sigma = used.diagonal().cwiseSqrt();
-  const Eigen::MatrixXd correlation = sigma.cwiseInverse().asDiagonal() * used * sigma.cwiseInverse().asDiagonal();
-  const Eigen::VectorXd standardised = e.cwiseQuotient(sigma);
-  return standardised.dot(correlation.inverse() * standardised);
-}
+double mahalanobis(const vpHomogeneousMatrix &truth, const vpHomogeneousMatrix &estimate, const vpMatrix &covariance,
+                   unsigned int freedom);
 
 //! What a squared Mahalanobis distance exceeds as seldom as a normal variable 5 standard deviations: 5.7e-7.
 inline double fiveSigma(unsigned int freedom)
@@ -201,11 +92,7 @@ inline double fiveSigma(unsigned int freedom)
 }
 
 //! Largest difference of two poses: of translation relative to the depth, and of rotation, rad.
-inline double differenceOf(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b)
-{
-  return std::max((translationOf(a) - translationOf(b)).norm() / translationOf(b).z(),
-                  (rotationOf(a) - rotationOf(b)).norm() / M_SQRT2);
-}
+double differenceOf(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b);
 
 //! Two markers, 5 and 9, of any spin.
 struct TwoMarkers

@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "detector_scenes.h"
 
 using namespace detector_test;

@@ -22,6 +22,8 @@
 #include <visp3/core/vpPoint.h>
 #include <visp3/detection/vpDetectorAprilTag.h>
 
+#include <Eigen/Geometry>
+
 #include "detector_scenes.h"
 
 using namespace detector_test;

@@ -15,6 +15,9 @@
  * Test of what the detector says of poses that it does not refine: setRefinePose(false).
  */
 
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
 #include "detector_scenes.h"
 
 #include <algorithm>
