@@ -161,3 +161,79 @@ TEST(DetectorProgram, AFrameThatCannotBeDecodedIsLeftOut)
   EXPECT_NE(outcome.err.find("video.avi#3\" is left out"), std::string::npos) << outcome.err;
   EXPECT_EQ(linesOf(outcome.out).size(), 7U) << "and nothing but lines of JSON";
 }
+
+// Whatever OpenCV plays: with an index or without, with --first and --last; what is asked for beyond the end is said.
+TEST(DetectorProgram, VideosOfEveryKindAreRead)
+{
+  struct Kind
+  {
+    const char *name;
+    int codec;
+  };
+  const Kind kinds[] = {{"video.avi", cv::VideoWriter::fourcc('M', 'J', 'P', 'G')},
+                        {"video.mkv", cv::VideoWriter::fourcc('M', 'J', 'P', 'G')},
+                        {"video.m4v", cv::VideoWriter::fourcc('m', 'p', '4', 'v')},
+                        {"video.mpg", cv::VideoWriter::fourcc('P', 'I', 'M', '1')},
+                        {"video.webm", cv::VideoWriter::fourcc('V', 'P', '8', '0')}};
+  int played = 0;
+  for (const Kind &kind : kinds) {
+    const fs::path folder = test::emptyFolder();
+    cv::VideoWriter writer((folder / kind.name).string(), kind.codec, 25., cv::Size(640, 480));
+    if (!writer.isOpened()) {
+      continue; // no such encoder here
+    }
+    cv::Mat picture;
+    cv::resize(cv::imread(referencePicture), picture, cv::Size(640, 480));
+    for (int i = 0; i < 5; ++i) {
+      writer << picture;
+    }
+    writer.release();
+    ++played;
+    const test::Outcome all = test::run(DETECTOR_PROGRAM, reference(kind.name), folder);
+    EXPECT_EQ(all.status, 0) << kind.name << ": " << all.err;
+    EXPECT_EQ(linesOf(all.out).size(), 5U) << kind.name;
+    std::vector<std::string> some = reference(kind.name);
+    some.insert(some.end(), {"--first", "3", "--last", "9"});
+    const test::Outcome end = test::run(DETECTOR_PROGRAM, some, folder);
+    EXPECT_EQ(end.status, 1) << kind.name;
+    EXPECT_NE(end.err.find("has 5 frames"), std::string::npos) << kind.name << ": " << end.err;
+    EXPECT_EQ(linesOf(end.out).size(), 2U) << kind.name;
+  }
+  EXPECT_GE(played, 2);
+}
+
+// The content counts, and not the name; and images of 16 bits or of text, which ViSP does not read.
+TEST(DetectorProgram, ImagesAreWhatTheyHold)
+{
+  const fs::path folder = test::emptyFolder();
+  const cv::Mat picture = cv::imread(referencePicture, cv::IMREAD_GRAYSCALE);
+  cv::Mat deep;
+  picture.convertTo(deep, CV_16U, 257.);
+  cv::imwrite((folder / "deep.pgm").string(), deep);
+  cv::imwrite((folder / "text.pgm").string(), picture, {cv::IMWRITE_PXM_BINARY, 0});
+  cv::imwrite((folder / "whole.png").string(), picture);
+  cv::imwrite((folder / "whole.jpg").string(), picture);
+  fs::copy(folder / "whole.png", folder / "png.jpg");
+  fs::copy(folder / "whole.jpg", folder / "jpeg.png");
+  fs::copy(folder / "whole.png", folder / "nameless");
+  for (const char *name : {"deep.pgm", "text.pgm", "png.jpg", "jpeg.png", "nameless"}) {
+    const test::Outcome outcome = test::run(DETECTOR_PROGRAM, reference(name), folder);
+    EXPECT_EQ(outcome.status, 0) << name << ": " << outcome.err;
+    ASSERT_EQ(linesOf(outcome.out).size(), 1U) << name;
+    EXPECT_EQ(linesOf(outcome.out)[0]["markers"].size(), 1U) << name;
+  }
+  std::ofstream(folder / "text") << "no image";
+  EXPECT_EQ(test::run(DETECTOR_PROGRAM, reference("text"), folder).status, 1);
+}
+
+TEST(DetectorProgram, APictureWithoutAKindIsRefusedBeforeTheWork)
+{
+  const fs::path folder = test::emptyFolder();
+  for (const char *name : {"overlay.xyz", "overlay"}) {
+    std::vector<std::string> arguments = reference(referencePicture);
+    arguments.insert(arguments.end(), {"--overlay", name});
+    const test::Outcome outcome = test::run(DETECTOR_PROGRAM, arguments, folder);
+    EXPECT_EQ(outcome.status, 2) << name;
+    EXPECT_EQ(outcome.out, "") << name;
+  }
+}

@@ -110,9 +110,9 @@ DetectorSettings DetectorOptions::settings() const
   result.hamming = hamming;
   result.threads = threads;
   result.tracking = tracking;
-  if (!families.empty() || ratio || configFile.empty()) {
+  if (families || ratio || configFile.empty()) {
     try {
-      result.families = familiesOf(families.empty() ? (ratio ? "ring" : "golay23") : families, ratio);
+      result.families = familiesOf(families.value_or(ratio ? "ring" : "golay23"), ratio);
     }
     catch (const vpException &e) {
       throw UsageError(e.what());

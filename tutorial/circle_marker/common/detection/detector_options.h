@@ -49,7 +49,7 @@ struct DetectorOptions
 {
   double size = 0.;
   std::string sizes;
-  std::string families;
+  std::optional<std::string> families;
   std::optional<double> ratio;
   std::string configFile;
   std::string databaseFile;
