@@ -19,6 +19,8 @@
 
 #include <visp3/core/vpDisplay.h>
 
+#include "pose_display.h"
+
 BEGIN_VISP_NAMESPACE
 
 namespace {
@@ -47,8 +49,9 @@ template <class Pixel>
 void displayAllFrames(const vpImage<Pixel> &I, const std::vector<vpHomogeneousMatrix> &poses,
                       const vpCameraParameters &cam, double size, const vpColor &color, unsigned int thickness)
 {
+  const circle_marker::CameraModel camera(cam);
   for (const vpHomogeneousMatrix &cMo : poses) {
-    vpDisplay::displayFrame(I, cMo, cam, 0.5 * size, color, thickness);
+    circle_marker::displayAxes(I, cMo, camera, 0.5 * size, color, thickness);
   }
 }
 } // namespace

@@ -20,34 +20,29 @@
 #include <cmath>
 #include <optional>
 
-#include <visp3/core/vpDisplay.h>
-#include <visp3/core/vpMeterPixelConversion.h>
+#include "pose_display.h"
 
 BEGIN_VISP_NAMESPACE
+
+using namespace circle_marker;
+
 namespace {
 template <class ImageType>
 void displayCircle(const ImageType &I, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam, double radius,
                    const vpColor &color, unsigned int thickness)
 {
+  const CameraModel camera(cam);
   const int segments = 72; // 5 degrees each: the chord stays within a thousandth of the radius.
   std::optional<vpImagePoint> previous;
   for (int i = 0; i <= segments; i++) {
     const double t = 2. * M_PI * i / segments;
-    vpPoint P;
-    P.setWorldCoordinates(radius * std::cos(t), radius * std::sin(t), 0.);
-    P.track(cMo);
-    if (!(P.get_Z() > 0.)) {
-      previous.reset();
-      continue;
+    const auto point = seenPoint(radius * Eigen::Vector3d(std::cos(t), std::sin(t), 0.), cMo, camera);
+    if (previous && point) {
+      vpDisplay::displayLine(I, *previous, *point, (color == vpColor::none) ? vpColor::green : color, thickness);
     }
-    vpImagePoint ip;
-    vpMeterPixelConversion::convertPoint(cam, P.get_x(), P.get_y(), ip);
-    if (previous) {
-      vpDisplay::displayLine(I, *previous, ip, (color == vpColor::none) ? vpColor::green : color, thickness);
-    }
-    previous = ip;
+    previous = point;
   }
-  vpDisplay::displayFrame(I, cMo, cam, radius, color, thickness);
+  displayAxes(I, cMo, camera, radius, color, thickness);
 }
 } // namespace
 

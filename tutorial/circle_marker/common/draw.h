@@ -37,14 +37,38 @@
 #include "visp_names.h"
 
 namespace tutorial {
+/*!
+  Pixel of a direction, normalised coordinates: the exact inverse of vpPixelMeterConversion, by which poses are made.
+  vpMeterPixelConversion goes by kud, which was calibrated apart from kdu: at the rim of a wide lens that is some pixels
+  beside it. Not a number where the lens shows nothing.
+*/
+inline vpImagePoint pixelOf(double x, double y, const vpCameraParameters &cam)
+{
+  vpImagePoint image;
+  if (cam.get_projModel() != vpCameraParameters::perspectiveProjWithDistortion) {
+    vpMeterPixelConversion::convertPoint(cam, x, y, image);
+    return image;
+  }
+  // With rho the distance from the principal point, pixels by px and py: r = rho (1 + kdu rho^2), by Newton's method.
+  constexpr int steps = 20;
+  const double kdu = cam.get_kdu();
+  const double r = std::hypot(x, y);
+  double rho = r;
+  for (int i = 0; i < steps; ++i) {
+    rho -= (rho * (1. + kdu * rho * rho) - r) / (1. + 3. * kdu * rho * rho);
+  }
+  const bool isSeen = std::abs(rho * (1. + kdu * rho * rho) - r) < 1e-9 * (1. + r) && 1. + 3. * kdu * rho * rho > 0.;
+  const double scale = !isSeen ? std::numeric_limits<double>::quiet_NaN() : r > 0. ? rho / r : 1.;
+  image.set_uv(cam.get_u0() + cam.get_px() * scale * x, cam.get_v0() + cam.get_py() * scale * y);
+  return image;
+}
+
 /*! Image of a point of the marker's frame, pixels. The point must be in front of the camera. */
 inline vpImagePoint imageOf(double x, double y, double z, const vpHomogeneousMatrix &cMo, const vpCameraParameters &cam)
 {
   vpPoint point(x, y, z);
   point.track(cMo);
-  vpImagePoint image;
-  vpMeterPixelConversion::convertPoint(cam, point.get_x(), point.get_y(), image);
-  return image;
+  return pixelOf(point.get_x(), point.get_y(), cam);
 }
 
 /*! Whether every point is near enough to the image to be drawn: vpImageDraw counts in int and goes along every line. */
