@@ -189,9 +189,9 @@ TEST(LivePrograms, WrongArgumentsEndWithTwo)
     EXPECT_EQ(outcome.err.rfind("tutorial-circle-marker-detector-live: ", 0), 0U) << outcome.err;
   }
   const std::vector<std::vector<std::string>> servo = {
-      {"--nosuchoption"},          {"--source", "firewire"},  {"--distance", "-1"},   {"--size", "0"},
-      {"--output", "/dev/null/x"}, {"--max-speed", "100"},    {"--max-speed", "nan"}, {"--max-turn", "nan"},
-      {"--timeout", "nan"},        {"--accept-angle", "nan"}, {"--id", "-3"},         {"--family", "bch31"}};
+      {"--nosuchoption"},        {"--source", "firewire"}, {"--distance", "-1"},  {"--size", "0"},
+      {"--max-speed", "100"},    {"--max-speed", "nan"},   {"--max-turn", "nan"}, {"--timeout", "nan"},
+      {"--accept-angle", "nan"}, {"--id", "-3"},           {"--family", "bch31"}};
   for (std::vector<std::string> arguments : servo) {
     arguments.push_back("--display-off");
     const test::Outcome outcome = test::runOnBus(SERVO_PROGRAM, arguments, folder, nullptr);

@@ -46,7 +46,6 @@ TEST(DetectorProgram, InputsThatCannotBeUsedEndWithOne)
       reference("nothing%d.png"),
       reference("@nothing.txt"),
       reference(referencePicture, {"--json", "no/such/folder/out.jsonl"}),
-      reference(referencePicture, {"--overlay", "overlay.nokind"}),
       {"--input", referencePicture, "--intrinsic", data + "/camera.xml", "--camera-name", "Other", "--size", "1"},
   };
   for (const std::vector<std::string> &arguments : cases) {

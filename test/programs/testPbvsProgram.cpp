@@ -134,9 +134,9 @@ TEST(PbvsProgram, MarkerTooFarAwayIsAClearFailure)
 TEST(PbvsProgram, WrongArgumentsEndWithTwo)
 {
   const fs::path folder = test::emptyFolder();
-  const std::vector<std::vector<std::string>> cases = {
-      {"--detector", "square"}, {"--distance", "-1"}, {"--distance", "nan"},      {"--seed", "-1"},
-      {"--runs", "0"},          {"--nosuchoption"},   {"--output", "/dev/null/x"}};
+  const std::vector<std::vector<std::string>> cases = {{"--detector", "square"}, {"--distance", "-1"},
+                                                       {"--distance", "nan"},    {"--seed", "-1"},
+                                                       {"--runs", "0"},          {"--nosuchoption"}};
   for (const std::vector<std::string> &arguments : cases) {
     const test::Outcome outcome = test::run(PBVS_PROGRAM, arguments, folder);
     EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(arguments);
@@ -144,4 +144,13 @@ TEST(PbvsProgram, WrongArgumentsEndWithTwo)
   }
   EXPECT_EQ(test::run(PBVS_PROGRAM, {"--help"}, folder).status, 0);
   EXPECT_TRUE(test::filesIn(folder).empty());
+}
+
+// As of every program: what cannot be written is no wrong argument.
+TEST(PbvsProgram, AFolderThatCannotBeMadeEndsWithOne)
+{
+  const fs::path folder = test::emptyFolder();
+  const test::Outcome outcome = test::run(PBVS_PROGRAM, {"--output", "/dev/null/x"}, folder);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("/dev/null/x"), std::string::npos) << outcome.err;
 }

@@ -52,7 +52,7 @@ int carryOut(const Settings &settings)
   }
   std::cout << std::flush;
   if (!settings.output.empty()) {
-    writeWhole(settings.output, "bound.csv", csvOf(settings, rows));
+    writeWhole(settings.output, "bound.csv", csvOf(rows));
     writeWhole(settings.output, "bound.json", jsonOf(settings, rows, reaches));
     writeWhole(settings.output, "bound.gp", plotScript(settings, rows));
     drawPlots(settings.output, "bound.gp", {"bound.svg"});

@@ -171,14 +171,10 @@ std::string answerOf(const Settings &settings, const std::vector<Reach> &reaches
   return out.str();
 }
 
-std::string csvOf(const Settings &settings, const std::vector<Row> &rows)
+std::string csvOf(const std::vector<Row> &rows)
 {
   std::ostringstream out;
-  out << "# circle-marker-bound: " << conditions(settings) << "\n"
-      << "# standard deviations of the marker's centre (camera frame), of the spin, RMS angle of the normal; "
-         "wrong_choice:"
-         " Phi(-separation / 2)\n"
-      << "angle_deg,distance_m,diameter_px,minor_axis_px,in_image,x_mm,y_mm,z_mm,normal_deg,spin_deg,separation,"
+  out << "angle_deg,distance_m,diameter_px,minor_axis_px,in_image,x_mm,y_mm,z_mm,normal_deg,spin_deg,separation,"
          "wrong_choice\n"
       << std::setprecision(9);
   for (const Row &row : rows) {

@@ -31,7 +31,7 @@ std::string tableOf(const Settings &settings, const std::vector<Row> &rows);
 std::string answerOf(const Settings &settings, const std::vector<Reach> &reaches);
 
 /*! One row for each angle and distance. */
-std::string csvOf(const Settings &settings, const std::vector<Row> &rows);
+std::string csvOf(const std::vector<Row> &rows);
 
 /*! Settings, rows and reaches. */
 std::string jsonOf(const Settings &settings, const std::vector<Row> &rows, const std::vector<Reach> &reaches);

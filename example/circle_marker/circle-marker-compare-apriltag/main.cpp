@@ -46,7 +46,7 @@ int carryOut(const Settings &settings)
   makeFolder(settings.output); // Before the minutes that the trials take.
   const std::vector<Trial> trials = makeTrialsWithProgress(settings);
   const Summary summary = summaryOf(trials);
-  writeWhole(settings.output, "compare.csv", csvOf(settings, trials));
+  writeWhole(settings.output, "compare.csv", csvOf(trials));
   writeWhole(settings.output, "compare.json", jsonOf(settings, summary));
   writeWhole(settings.output, "compare.gp", plotScript(settings, trials));
   std::cout << tableOf(settings, summary) << std::flush;

@@ -27,25 +27,6 @@ namespace compare {
 namespace {
 constexpr double millimetres = 1000.; // In a metre.
 
-void addHeader(std::ostream &out, const Settings &settings)
-{
-  const vpCameraParameters cam = referenceCamera();
-  out << "# circle-marker-compare-apriltag: circular marker against AprilTag, one row for each frame and method\n"
-      << "# version: ViSP " << vispVersion() << ", " << circleFamily << " and " << tagFamily << "\n"
-      << "# seed: " << settings.seed << ", frames in each cell: " << settings.frames << "\n"
-      << "# camera: " << imageWidth << " x " << imageHeight << ", px " << cam.get_px() << ", py " << cam.get_py()
-      << ", u0 " << cam.get_u0() << ", v0 " << cam.get_v0() << ", no distortion\n"
-      << "# image: noise " << settings.noise << " grey levels, blur " << settings.blur
-      << " px (standard deviations), paper 220, ink 30, ground 110\n"
-      << "# markers: ring " << settings.size << " m, tag " << settings.tagSize()
-      << " m (black square), each on a sheet "
-      << "of " << settings.sheetSide() << " m; AprilTag's pose method " << settings.tagPose << "\n"
-      << "# poses: depth from " << minDistance << " m; z into the marker; rotation as theta u\n"
-      << "# half-pixel: principal point moved by +0.5 px for AprilTag, whose image origin is a pixel's corner\n"
-      << "# d: measured minus true, camera frame; mirrored: normal nearer to the true one reflected about the line of "
-         "sight\n";
-}
-
 void addRow(std::ostream &out, const Trial &trial, std::size_t method)
 {
   const Measurement &measurement = trial.measurements[method];
@@ -68,10 +49,9 @@ void addRow(std::ostream &out, const Trial &trial, std::size_t method)
 }
 } // namespace
 
-std::string csvOf(const Settings &settings, const std::vector<Trial> &trials)
+std::string csvOf(const std::vector<Trial> &trials)
 {
   std::ostringstream out;
-  addHeader(out, settings);
   out << "cell,max_tilt_deg,max_depth_m,frame,method,id,x_m,y_m,z_m,tux_rad,tuy_rad,tuz_rad,distance_m,tilt_deg,found,"
          "wrong_ids,dx_mm,dy_mm,dz_mm,position_error_mm,normal_error_deg,rotation_error_deg,mirrored,cpu_ms\n";
   out << std::setprecision(9);

@@ -216,7 +216,7 @@ Request parseCommandLine(int argc, const char *const argv[])
   app.add_option("--dpi", arguments.dotsPerInch, "Pixels per inch of a PNG")->capture_default_str();
   const CLI::Option *ratio = app.add_option("--ratio", arguments.ratio, "Inner over outer radius of the family ring");
   app.add_flag("--inverse", arguments.isInverse,
-               "White on black, for detectors whose polarity is WHITE_ON_BLACK or BOTH");
+               "White on black, for detectors whose polarity is \"white on black\" or \"both\"");
   app.add_flag("--list-families", arguments.listFamilies, "List the families and quit");
   app.footer("\"picture_m\" is the size of the page, metres; \"pixels\" that of the PNG, and for SVG and PDF of a "
              "rendering at --dpi.\nWith --sheet none a PNG covers the square with whole pixels, so its density may "

@@ -17,14 +17,27 @@
 
 #include "command_line.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 
+#include "../common/detection/image_file.h"
 #include "../common/numbered_name.h"
 #include "../common/parse.h"
 
 namespace tutorial {
 namespace {
+// Better said before the images are read than after.
+void checkPictureName(const std::string &name)
+{
+  const std::string known[] = {".png", ".jpg", ".jpeg", ".ppm", ".bmp", ".tif", ".tiff"};
+  if (!name.empty() && std::find(std::begin(known), std::end(known), extensionOf(name)) == std::end(known)) {
+    throw UsageError("--overlay \"" + name +
+                     "\" does not say what kind of picture it is; end it with .png, for instance");
+  }
+}
+
 void check(const Order &order)
 {
   if (order.input.empty()) {
@@ -41,6 +54,7 @@ void check(const Order &order)
       }
     }
   }
+  checkPictureName(order.overlay);
   const bool isSequence = order.input.front() == '@' || NumberedName::parse(order.input);
   if (!order.overlay.empty() && isSequence && !NumberedName::parse(order.overlay)) {
     throw UsageError("--overlay names one picture for many images; use a number in the name, overlay-%04d.png");

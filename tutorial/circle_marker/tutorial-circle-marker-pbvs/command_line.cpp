@@ -46,15 +46,19 @@ Request parseCommandLine(int argc, const char *const argv[])
                  "Number of random starts, with the seeds from --seed on; writes runs.csv, and the rest for the worst")
       ->check(CLI::Range(1U, 100000U))
       ->capture_default_str();
-  app.add_option(
+  const CLI::Option *camera = app.add_option(
       "--intrinsic", order.cameraFile,
       "Camera, an XML file of ViSP; the reference camera unless told: 1280 x 960, px = py = 1600, u0 = 639.5, "
       "v0 = 479.5");
-  app.add_option("--camera-name", order.cameraName, "Name of the camera in that file")->capture_default_str();
+  const CLI::Option *name =
+      app.add_option("--camera-name", order.cameraName, "Name of the camera in that file")->capture_default_str();
   app.footer("Ends with 0 only if every servo has brought the true pose within 1 mm and 0.1 degrees of the desired "
              "one.");
   if (!parse(app, argc, argv)) {
     return Request{std::nullopt, app.help()};
+  }
+  if (name->count() > 0 && camera->count() == 0) {
+    throw UsageError("--camera-name names a camera of the file of --intrinsic; name that, too");
   }
   order.markers = choices.at(detector);
   order.display = !displayOff;

@@ -118,7 +118,9 @@ void writePlot(const std::string &path, const std::vector<ServoStep> &steps, con
       throw vpException(vpException::ioError, "gnuplot does not take an apostrophe in a path");
     }
     if (!gnuplot(commands(temporary, steps, goal))) {
-      throw vpException(vpException::ioError, "gnuplot failed");
+      throw vpException(vpException::ioError, hasGnuplot() ? "gnuplot failed"
+                                                           : "gnuplot, which draws it, cannot be run; install it "
+                                                             "(Debian: apt-get install gnuplot-nox)");
     }
   });
 }

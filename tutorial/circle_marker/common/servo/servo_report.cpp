@@ -119,13 +119,11 @@ std::string servoTable(const std::vector<ServoStep> &steps)
 
 void prepareReport(const std::string &folder)
 {
-  if (!hasGnuplot()) {
-    throw UsageError("gnuplot, which draws servo.svg, cannot be run; install it (Debian: apt-get install gnuplot-nox)");
-  }
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder)) {
-    throw UsageError("the folder \"" + folder + "\" cannot be made; name another with --output");
+    throw vpException(vpException::ioError, "the folder \"%s\" cannot be made; name another with --output",
+                      folder.c_str());
   }
 }
 
