@@ -24,17 +24,17 @@
 #include <visp3/core/vpException.h>
 
 #include "support/json_file.h"
+#include "support/json_lines.h"
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <limits>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <nlohmann/json.hpp>
-
-#include <visp3/core/vpIoTools.h>
 #endif
 
 BEGIN_VISP_NAMESPACE
@@ -150,10 +150,10 @@ std::map<int, double> readSizes(const std::string &key, const Json &value)
   }
   std::map<int, double> sizes;
   for (const auto &[name, size] : value.items()) {
-    constexpr std::size_t mostDigits = 9;                                    // an int holds any of them
-    const std::string digits = name.substr(name.rfind('-', 0) == 0 ? 1 : 0); // -1: without a code
-    const bool isId =
-        !digits.empty() && digits.size() <= mostDigits && digits.find_first_not_of("0123456789") == std::string::npos;
+    constexpr std::size_t mostDigits = 9; // an int holds any of them
+    const bool isNumber =
+        !name.empty() && name.size() <= mostDigits && name.find_first_not_of("0123456789") == std::string::npos;
+    const bool isId = isNumber || name == "-1"; // without a code
     if (!isId || !size.is_number() || !(size.get<double>() > 0.)) {
       refuse(key, "an object with ids as keys and positive metres as values, not \"" + name + "\": " + size.dump());
     }
@@ -271,13 +271,13 @@ void read(const Json &json, DetectorSettings &settings)
 
 DetectorSettings readSettings(const std::string &filename, const DetectorSettings &settings)
 {
-  std::ifstream file(filename);
-  if (!file || vpIoTools::checkDirectory(filename)) { // a folder can be opened
+  const std::optional<std::string> text = readWhole(filename);
+  if (!text) {
     throw vpException(vpException::ioError, "cannot read the settings file \"%s\"", filename.c_str());
   }
   DetectorSettings result = settings;
   try {
-    read(Json::parse(file), result);
+    read(valueOf(parseWithLines(*text)), result); // which refuses keys that are there twice
   }
   catch (const std::exception &error) { // parse and type errors of the JSON library, std::stoi's and our own
     throw vpException(vpException::badValue, "settings file \"%s\": %s", filename.c_str(), error.what());

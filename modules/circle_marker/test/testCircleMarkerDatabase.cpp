@@ -233,6 +233,13 @@ TEST(CircleMarkerDatabase, RefusesOtherFiles)
   EXPECT_EQ(complaintAbout("{\"markers\": []}"), "");
   EXPECT_THROW(vpCircleMarkerDatabase().load("there-is-no-such-file.json"), vpException);
   EXPECT_THROW(vpCircleMarkerDatabase().save("there-is-no-such-folder/file.json"), vpException);
+  try {
+    vpCircleMarkerDatabase().load(".");
+    FAIL() << "read a folder";
+  }
+  catch (const vpException &e) {
+    EXPECT_EQ(e.getCode(), vpException::ioError);
+  }
 }
 
 TEST(CircleMarkerDatabase, LinksAndDevicesStayWhatTheyAre)

@@ -200,7 +200,10 @@ TEST(DetectorSettings, WrongContentsAreRefused)
                            "{\"sizes\": [0.1, 0.2]}",
                            "{\"sizes\": {\"3x\": 0.1}}",
                            "{\"sizes\": {\"3\": 0.1, \"03\": 0.2}}",
+                           "{\"sizes\": {\"3\": 0.1, \"3\": 0.2}}",
+                           "{\"sizes\": {\"-7\": 0.1}}",
                            "{\"sizes\": {\"3\": -0.1}}",
+                           "{\"threads\": 1, \"threads\": 4}",
                            "{\"families\": []}",
                            "{\"threads\": 0}",
                            "{\"minimumMargin\": 1.01}",
@@ -271,7 +274,10 @@ TEST(DetectorSettings, NothingIsLeftBesideTheFile)
   writeSettings(file.name(), defaults());
   EXPECT_NE(file.text().find("golay23"), std::string::npos);
   EXPECT_EQ(file.text().find("old"), std::string::npos);
-  EXPECT_FALSE(std::ifstream(file.name() + ".tmp").good());
+  const std::filesystem::path path = std::filesystem::absolute(file.name());
+  for (const auto &entry : std::filesystem::directory_iterator(path.parent_path())) {
+    EXPECT_NE(entry.path().filename().string().rfind(path.filename().string() + ".part", 0), 0u) << entry.path();
+  }
 }
 
 TEST(DetectorSettings, LinksAndDevicesStayWhatTheyAre)

@@ -25,9 +25,8 @@
 #include "support/json_file.h"
 #include "support/marker_size.h"
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
-#include <fstream>
 #include <limits>
-#include <sstream>
+#include <optional>
 
 #include "support/json_lines.h"
 #endif
@@ -202,14 +201,12 @@ nlohmann::json written(const vpCircleMarkerEntry &entry)
 
 vpCircleMarkerDatabase readDatabase(const std::string &filename)
 {
-  std::ifstream file(filename, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) {
+  const std::optional<std::string> text = readWhole(filename);
+  if (!text) {
     throw vpException(vpException::ioError, "cannot read the marker database \"%s\"; is it there?", filename.c_str());
   }
   try {
-    return read(parseWithLines(text.str()));
+    return read(parseWithLines(*text));
   }
   catch (const vpException &e) {
     throw vpException(vpException::badValue, "marker database \"%s\", %s", filename.c_str(), e.what());

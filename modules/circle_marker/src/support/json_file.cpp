@@ -17,33 +17,72 @@
 
 #include "support/json_file.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <random>
 #include <system_error>
 
 #include <visp3/core/vpException.h>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-bool writeWhole(const std::string &filename, const std::string &text)
+namespace {
+namespace fs = std::filesystem;
+
+// A name beside the file that is nobody's: fopen's x refuses one that is there.
+fs::path createBeside(const fs::path &target)
 {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path target = fs::weakly_canonical(filename, error); // through links, to replace what they point to
-  const bool isDirect = error || (fs::exists(filename, error) && !fs::is_regular_file(filename, error));
-  const fs::path place = isDirect ? fs::path(filename) : fs::path(target.string() + ".tmp");
+  constexpr int mostAttempts = 10;
+  std::random_device number;
+  for (int i = 0; i < mostAttempts; ++i) {
+    const fs::path place = target.string() + ".part" + std::to_string(number());
+    if (std::FILE *const file = std::fopen(place.string().c_str(), "wbx")) {
+      std::fclose(file);
+      return place;
+    }
+  }
+  return fs::path();
+}
+
+bool write(const fs::path &place, const std::string &text)
+{
   std::ofstream file(place, std::ios::binary);
   file << text;
   file.close();
-  bool isWritten = static_cast<bool>(file);
-  if (!isDirect) {
-    if (isWritten) {
-      fs::rename(place, target, error);
-      isWritten = !error;
-    }
-    if (!isWritten) {
-      fs::remove(place, error);
-    }
+  return static_cast<bool>(file);
+}
+} // namespace
+
+std::optional<std::string> readWhole(const std::string &filename)
+{
+  std::error_code error;
+  std::ifstream file(filename, std::ios::binary);
+  if (!file || fs::is_directory(filename, error)) { // a folder can be opened
+    return std::nullopt;
+  }
+  return std::string(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+}
+
+bool writeWhole(const std::string &filename, const std::string &text)
+{
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(filename, error); // through links, to replace what they point to
+  if (error || (fs::exists(filename, error) && !fs::is_regular_file(filename, error))) {
+    return write(filename, text);
+  }
+  const fs::path place = createBeside(target);
+  if (place.empty()) {
+    return false;
+  }
+  bool isWritten = write(place, text);
+  if (isWritten) {
+    fs::rename(place, target, error);
+    isWritten = !error;
+  }
+  if (!isWritten) {
+    fs::remove(place, error);
   }
   return isWritten;
 }

@@ -18,15 +18,19 @@
 #ifndef VP_CIRCLE_MARKER_JSON_FILE_H
 #define VP_CIRCLE_MARKER_JSON_FILE_H
 
+#include <optional>
 #include <string>
 
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! \return The text of a file; nothing if it cannot be read, or is a folder. */
+std::optional<std::string> readWhole(const std::string &filename);
+
 /*!
-  Writes a file whole or not at all: beside the old one, which it then replaces. A link is followed, and what is no
-  ordinary file, such as /dev/stdout, is written directly.
+  Writes a file whole or not at all: beside the old one, under a name that no file has, and then in its place. A link is
+  followed, and what is no ordinary file, such as /dev/stdout, is written directly.
   \return Whether it is written.
 */
 bool writeWhole(const std::string &filename, const std::string &text);
