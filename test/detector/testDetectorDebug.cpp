@@ -346,6 +346,36 @@ TEST(DetectorDebug, WithoutTimeTheReasonIsThat)
   EXPECT_TRUE(isHasty);
 }
 
+// Whenever the time is over, nothing is said to lie inside of a marker that was not found.
+TEST(DetectorDebug, WithoutTimeNothingIsInsideOfWhatWasNotFound)
+{
+  Random random = randomOfTest();
+  vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+  for (int i = 0; i < 12; ++i) {
+    const vpHomogeneousMatrix cMo =
+        randomPose(random, 100., 0.3, 80. + 160. * (i % 4), 80. + 160. * (i / 4)); // the centre, pixels
+    simulator.addMarker(printed(vpCircleMarkerFamily::GOLAY23, i).setPose(cMo));
+  }
+  vpImage<unsigned char> I;
+  simulator.render(I, random());
+  vpDetectorCircleMarker detector;
+  detector.setDebug(true);
+  for (int timeout = 1; timeout <= 12; ++timeout) { // milliseconds: the clock decides what is measured
+    detector.setTimeout(timeout);
+    detector.detect(I);
+    for (const vpCircleMarkerCandidate &candidate : detector.getRejectedCandidates()) {
+      if (candidate.reason == Reject::INSIDE_OF_A_MARKER) {
+        const auto &found = detector.getDetections();
+        EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                                [&](const vpCircleMarkerDetection &marker) {
+                                  return vpImagePoint::distance(marker.center, candidate.ellipse.center) < 60.;
+                                }))
+            << timeout << " ms";
+      }
+    }
+  }
+}
+
 TEST(DetectorDebug, EveryReasonHasAName)
 {
   std::set<std::string> names;

@@ -22,6 +22,7 @@
 #include <cmath>
 
 #include "decode/cyclic_code.h"
+#include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -84,7 +85,6 @@ constexpr MostLeft mostLeftIfUncertain = {HUGE_VAL, 1.2, 0.005};
 // 24 pixels two that were read as others had odds of e^27 and e^32 and left 4.4 more; of the right ones with such odds
 // one in a hundred leaves 3.5 more.
 constexpr double mostDeviations = 3.5;
-constexpr double rounding = 0.29; // noise of an image without any, grey levels
 // What is no marker, letters, rings of dots, a castle's window, may be near a codeword, but it is not what is printed:
 // it leaves 4 % of its contrast and more besides noise, and correlates by less than 0.98. True markers do by that in
 // noise of a twelfth of the contrast; then no more than the noise is left, to this factor, and the odds are clear.
@@ -100,7 +100,7 @@ constexpr double leastCorrelation = 0.97;
 bool isOverwhelming(const LikelyCode &code, const CodeToProve &what)
 {
   const double most =
-      noiseAlone * std::max(what.noise, rounding) + lackingAlone * what.fit.photometry.tellableContrast();
+      noiseAlone * std::max(what.noise, quantisation) + lackingAlone * what.fit.photometry.tellableContrast();
   return code.odds > overwhelmingOdds && what.fit.noise < most && what.fit.inliers > leastInliersAlone;
 }
 
@@ -108,14 +108,14 @@ bool isOverwhelming(const LikelyCode &code, const CodeToProve &what)
 bool leavesLittle(const FittedPose &fit, double noise, double share)
 {
   return fit.photometry.contrast() < 1. + share &&
-         fit.noise < mostNoise * std::max(noise, rounding) + share * fit.photometry.tellableContrast();
+         fit.noise < mostNoise * std::max(noise, quantisation) + share * fit.photometry.tellableContrast();
 }
 
 // Whether a fit on so many pixels leaves no more than one at the right pose, where a code has such odds.
 bool isAtRightPose(const CodeToProve &what, double odds)
 {
   const FittedPose &fit = what.fit;
-  const double noise = std::max(what.noise, rounding);
+  const double noise = std::max(what.noise, quantisation);
   const auto leavesUpTo = [&](const MostLeft &most) {
     const bool isDoubted = !what.isCertain && odds < clearOdds;
     const double byChance = 1. + mostDeviations / std::sqrt(2. * static_cast<double>(what.pixels) / fit.sharing);
@@ -149,7 +149,7 @@ bool isWorthMeasuring(const LikelyCode &code)
 
 bool isProven(const LikelyCode &code, const CodeToProve &what)
 {
-  const bool isNoise = what.fit.noise < noiseOnly * std::max(what.noise, rounding);
+  const bool isNoise = what.fit.noise < noiseOnly * std::max(what.noise, quantisation);
   const double mostLeft = code.odds < clearOdds ? mostUnexplained
                           : what.isCertain      ? mostUnexplainedIfRead
                           : isNoise             ? mostUnexplainedOfNoise

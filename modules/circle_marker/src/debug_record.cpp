@@ -24,9 +24,6 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Gradient of a step of one grey level.
-constexpr double sobelStepGain = 4.;
-
 /*! From pixels of a scale to those of the image. */
 struct ToImage
 {

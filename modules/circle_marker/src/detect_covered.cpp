@@ -50,8 +50,6 @@ constexpr double mostLackingOfWhole = 0.03;
 // hundredths: what it leaves is then no more than this factor above the image's.
 constexpr double correlationOfPrint = 0.95;
 constexpr double mostNoiseAlone = 1.2;
-// And of its outline this share is found.
-constexpr double leastSupportOfWhole = 0.9;
 
 // And this share of its pixels are what the model makes them. Where fewer are, the others may be the code: of a golay23
 // that was read as another at its mirrored pose 0.7 were, and the ring's fit was perfect. Of right ones it is mostly
@@ -226,11 +224,6 @@ bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, 
                      : other.ink + other.paper > leastOtherOfWhole + corrected;
 }
 
-bool isPartMissing(double support)
-{
-  return support < leastSupportOfWhole;
-}
-
 std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, const CameraModel &camera,
                                              const Recognition &marker, const Measurement &measurement,
                                              MeasureMemory &memory)
@@ -245,7 +238,8 @@ std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, co
   }
   Recognition covered = marker;
   covered.ring = ringOf(measurement.first, marker.poses[0], camera);
-  covered.poses = {plane, mirrored(plane)};
+  // A start: what is measured next begins with a flat sheet.
+  covered.poses = {plane.flattened(), mirrored(plane.flattened())};
   TrackPixels pixels(I, camera, *covered.ring, marker.family, memory.track);
   WordEvidence evidence(pixels);
   evidence.turnTo(0.);

@@ -110,9 +110,6 @@ std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, co
                                              const Recognition &marker, const Measurement &measurement,
                                              MeasureMemory &memory);
 
-/*! Whether so little of an outline is found that something may cover a part of it. */
-bool isPartMissing(double support);
-
 /*! One of the ways to read an outline. */
 struct Attempt
 {

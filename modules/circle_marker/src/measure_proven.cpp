@@ -58,12 +58,9 @@ double sectorLength(const EllipseParameters &outline, const vpCircleMarkerFamily
 // Sets the measured poses, as a start.
 void startAt(const Measurement &measurement, Recognition &marker)
 {
-  marker.poses[0] = measurement.first.plane;
+  marker.poses[0] = measurement.first.plane.flattened();
   if (measurement.second) {
-    marker.poses[1] = measurement.second->plane;
-  }
-  for (MarkerPlane &pose : marker.poses) {
-    pose.bend = SheetBend();
+    marker.poses[1] = measurement.second->plane.flattened();
   }
 }
 

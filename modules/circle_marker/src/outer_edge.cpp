@@ -161,7 +161,7 @@ std::optional<double> haloOf(const vpImage<unsigned char> &I, const CameraModel 
                              const Measurement &measurement)
 {
   const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
-  const double width = 1. - marker.ringInner; // of the ring, outer radii
+  const double width = 1. - marker.family.getLayout().ringInner; // of the ring, outer radii
   std::array<std::array<double, directionsOfHalo>, distancesOfHalo.size()> off;
   std::array<std::size_t, distancesOfHalo.size()> counts{};
   for (int i = 0; i < directionsOfHalo; ++i) {

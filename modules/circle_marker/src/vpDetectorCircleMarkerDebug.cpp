@@ -61,6 +61,13 @@ std::string vpCircleMarkerCandidate::getText() const
 */
 void vpDetectorCircleMarker::Impl::keepCandidates(const Visit &visit, const Outlines &outlines)
 {
+  // Where the time was over there are chosen ones that are no markers.
+  m_chosenPlaces.reset(static_cast<int>(visit.I.getWidth()), static_cast<int>(visit.I.getHeight()));
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (m_examinations[i].isFound) {
+      m_chosenPlaces.add(outlines[i], *m_examinations[i].marker);
+    }
+  }
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     std::vector<vpCircleMarkerCandidate> &candidates = m_examinations[i].candidates;
     if (!m_examinations[i].isFound && m_chosenPlaces.hold(outlines[i], visit.camera)) {

@@ -51,9 +51,8 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
     }
     choose(visit, outlines);
     measureChosen(visit, outlines);
-    isOver = deadline.hasPassed();
-    const bool someAreNone = settleChosen(isOver);
-    isOver = isOver || !someAreNone;
+    const bool someAreNone = settleChosen();
+    isOver = deadline.hasPassed() || !someAreNone;
   }
   if (keepsDebug) {
     keepCandidates(visit, outlines);
@@ -86,10 +85,9 @@ void vpDetectorCircleMarker::Impl::choose(const Visit &visit, const Outlines &ou
 /*!
   After the chosen ones were measured: those that are none may be of the next family, and what lies inside of them has
   its turn.
-  \param isTimeOver : Whether there was no time to measure all.
   \return Whether some are none.
 */
-bool vpDetectorCircleMarker::Impl::settleChosen(bool isTimeOver)
+bool vpDetectorCircleMarker::Impl::settleChosen()
 {
   bool someAreNone = false;
   for (const std::size_t i : m_chosen) {
@@ -99,9 +97,7 @@ bool vpDetectorCircleMarker::Impl::settleChosen(bool isTimeOver)
       continue;
     }
     if (!examination.candidates.empty()) {
-      examination.candidates.back().reason = isTimeOver                 ? vpCircleMarkerReject::TIMEOUT
-                                             : examination.isPassedOver ? vpCircleMarkerReject::TOO_MANY
-                                                                        : vpCircleMarkerReject::UNLIKE_THE_MODEL;
+      examination.candidates.back().reason = examination.refusal;
     }
     examination.marker.reset();
     examination.isRead = false;
@@ -120,7 +116,6 @@ void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outli
   for (const std::size_t i : m_chosen) {
     m_examinations[i].place = m_measured.size();
     m_measured.append();
-    m_examinations[i].isPassedOver = false;
   }
   // Those that are certain come first, as they are, then the others by their margin.
   const auto margin = [this](std::size_t i) {
@@ -142,7 +137,7 @@ void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outli
     }
   }
   for (; begin < m_chosen.size(); ++begin) {
-    m_examinations[m_chosen[begin]].isPassedOver = true;
+    m_examinations[m_chosen[begin]].refusal = vpCircleMarkerReject::TOO_MANY;
   }
 }
 
@@ -156,6 +151,9 @@ void vpDetectorCircleMarker::Impl::measureTogether(const Visit &visit, const Out
     examination.isFound =
         !visit.deadline.hasPassed() && measureMarker(visit, outlines[m_chosen[k]], *examination.marker,
                                                      m_workspaces[worker], m_measured[examination.place]);
+    // One that was cut short is not known to be none.
+    examination.refusal =
+        visit.deadline.hasPassed() ? vpCircleMarkerReject::TIMEOUT : vpCircleMarkerReject::UNLIKE_THE_MODEL;
     m_measured[examination.place].mayBeBlurred = examination.mayBeBlurred;
   });
 }

@@ -82,21 +82,22 @@ private:
   /*! How far an outline has come. */
   struct Examination
   {
-    std::size_t attempt = 0;                          //!< Index of the way to read it that is next.
-    bool isRead = false;                              //!< Whether that was done.
-    bool isOver = false;                              //!< Whether it is found, or is none.
-    bool mayBeBlurred = false;                        //!< Whether it may be read through a blur.
-    std::optional<circle_marker::Recognition> marker; //!< What it was read as.
-    std::size_t place = 0;                            //!< Of what was measured of it, in m_measured.
-    bool isFound = false;                             //!< Whether that is a marker.
-    bool isPassedOver = false;                        //!< Whether it was not measured: too many in doubt were none.
-    std::vector<vpCircleMarkerCandidate> candidates;  //!< What it was tried as, if that is to be shown.
+    std::size_t attempt = 0;                                   //!< Index of the way to read it that is next.
+    bool isRead = false;                                       //!< Whether that was done.
+    bool isOver = false;                                       //!< Whether it is found, or is none.
+    bool mayBeBlurred = false;                                 //!< Whether it may be read through a blur.
+    std::optional<circle_marker::Recognition> marker;          //!< What it was read as.
+    std::size_t place = 0;                                     //!< Of what was measured of it, in m_measured.
+    bool isFound = false;                                      //!< Whether that is a marker.
+    vpCircleMarkerReject refusal = vpCircleMarkerReject::NONE; //!< Why what it was read as is none, once that is known.
+    std::vector<vpCircleMarkerCandidate> candidates;           //!< What it was tried as, if that is to be shown.
   };
   /*! What the room refine tells of a marker besides its measurement. */
   struct Fit
   {
     circle_marker::Few<circle_marker::MarkerPlane> poses; //!< Where it may be.
     double halo = 1.;                                     //!< Of its outer edge (haloOf()), if it is measured.
+    bool isOtherRing = false;                             //!< Whether it is a plain ring of another ratio of radii.
   };
   /*! Working memory of one thread. */
   struct Workspace
@@ -149,6 +150,14 @@ private:
                                                          Workspace &workspace) const;
   bool measureMarker(const Visit &visit, const circle_marker::EllipseCandidate &outline,
                      const circle_marker::Recognition &marker, Workspace &workspace, Found &measured) const;
+  std::optional<circle_marker::Measurement> explain(const Visit &visit, const circle_marker::EllipseCandidate &outline,
+                                                    circle_marker::Recognition &marker, Workspace &workspace) const;
+  void addDoubts(const Visit &visit, const circle_marker::EllipseCandidate &outline,
+                 const circle_marker::Recognition &marker, Workspace &workspace,
+                 circle_marker::Measurement &measurement, Fit &fit) const;
+  bool measureSharpened(const Visit &visit, const circle_marker::EllipseCandidate &outline,
+                        const circle_marker::Recognition &marker, Workspace &workspace, Found &measured,
+                        Fit &fit) const;
   bool measureIn(const Visit &visit, const circle_marker::EllipseCandidate &outline, circle_marker::Recognition marker,
                  Workspace &workspace, Found &measured, Fit &fit) const;
   bool measureRestored(const Visit &visit, const circle_marker::EllipseCandidate &outline,
@@ -156,7 +165,7 @@ private:
   void choose(const Visit &visit, const Outlines &outlines);
   void measureChosen(const Visit &visit, const Outlines &outlines);
   void measureTogether(const Visit &visit, const Outlines &outlines, std::size_t begin, std::size_t end);
-  bool settleChosen(bool isTimeOver);
+  bool settleChosen();
   void keepSeen(const Outlines &outlines);
   void followSeen(const Visit &visit);
   void keepCandidates(const Visit &visit, const Outlines &outlines);

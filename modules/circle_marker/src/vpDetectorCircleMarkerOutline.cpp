@@ -41,7 +41,7 @@ using namespace circle_marker;
 namespace {
 // Plain rings are promised from a minor axis of 8 pixels on; the smaller the more there is that looks like one. When it
 // is refined, its semi-axis is known to some hundredths of a pixel.
-constexpr double leastRingSemiMinor = 3.8;
+constexpr double leastMeasuredRing = 3.8; // its semi-minor axis, pixels
 
 // Outlines of an image that are read through a blur, at most. A picture that is out of focus has hundreds of them if it
 // is full of rings; each takes 10 to 20 ms and a family (bench-circle-marker --timeouts 1, defocused-tracks).
@@ -137,9 +137,14 @@ void vpDetectorCircleMarker::Impl::allowBlurred(const Visit &visit, const Outlin
   };
   const bool hasRings = hasAny([](const auto &family) { return family.getType() == vpCircleMarkerFamily::RING; });
   const bool isAsked = hasRings || hasAny([](const auto &family) { return family.isCoded(); });
+  double quietZone = HUGE_VAL; // the narrowest
+  for (const vpCircleMarkerFamily &family : settings.families) {
+    quietZone = std::min(quietZone, family.getLayout().quietZone);
+  }
   std::size_t allowed = 0;
   for (std::size_t i = 0; isAsked && i < outlines.size() && allowed < mostBlurred && !visit.deadline.hasPassed(); ++i) {
-    m_examinations[i].mayBeBlurred = !outlines[i].isThin && looksBlurred(visit.I, outlines[i].ellipse, !hasRings);
+    m_examinations[i].mayBeBlurred =
+        !outlines[i].isThin && looksBlurred(visit.I, outlines[i].ellipse, !hasRings, quietZone);
     allowed += m_examinations[i].mayBeBlurred ? 1 : 0;
   }
 }
@@ -221,15 +226,22 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
   return verdict == WholeVerdict::DOUBTFUL ? measurement : leftOut();
 }
 
-/*!
-  A marker through the room refine; false if it turns out to be none. The place of the result is used again. What is
-  none though its code was read, or looks like it, may be in an image that the camera has sharpened: then it is measured
-  in what the image was before.
-*/
+/*! A marker through the room refine; false if it turns out to be none. The place of the result is used again. */
 bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const EllipseCandidate &outline,
                                                  const Recognition &marker, Workspace &workspace, Found &measured) const
 {
   Fit fit;
+  return measureSharpened(visit, outline, marker, workspace, measured, fit) && !fit.isOtherRing;
+}
+
+/*!
+  The same, whatever the ratio of a ring. What is none though its code was read, or looks like it, may be in an image
+  that the camera has sharpened: then it is measured in what the image was before.
+*/
+bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const EllipseCandidate &outline,
+                                                    const Recognition &marker, Workspace &workspace, Found &measured,
+                                                    Fit &fit) const
+{
   const bool isMeasured = measureIn(visit, outline, marker, workspace, measured, fit);
   if (!settings.refinePose || marker.seen || marker.blurred || visit.deadline.hasPassed() ||
       !(isMeasured ? fit.halo >= leastHalo : marker.isCertain)) {
@@ -278,9 +290,9 @@ bool vpDetectorCircleMarker::Impl::measureRestored(const Visit &visit, const Ell
   return true;
 }
 
-/*! The same in the image of a visit as it is. */
-bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCandidate &outline, Recognition marker,
-                                             Workspace &workspace, Found &measured, Fit &fit) const
+/*! The measurement of a marker that explains the image; nothing if none does. The marker is then what was measured. */
+std::optional<Measurement> vpDetectorCircleMarker::Impl::explain(const Visit &visit, const EllipseCandidate &outline,
+                                                                 Recognition &marker, Workspace &workspace) const
 {
   const bool isProofWanted = settings.refinePose && !marker.seen && !marker.blurred &&
                              (!marker.isCertain || wantsProof(outline.ellipse, marker.family));
@@ -299,11 +311,11 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
     measurement = withoutCover(visit, outline, *measurement, marker, workspace);
     if (measurement && (showsOtherCode(visit.I, visit.camera, marker, *measurement, workspace.measuring) ||
                         mayBeOtherCode(visit.I, visit.camera, marker, *measurement, workspace.measuring))) {
-      return false;
+      return std::nullopt;
     }
   }
   if (!measurement || (settings.refinePose && !isNoise(measurement->first.noise, visit.noise.sigma))) {
-    return false;
+    return std::nullopt;
   }
   if (isProofWanted) { // it may be another marker than was read
     scaleTo(sizeOf(marker, visit), measurement->first);
@@ -311,23 +323,38 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
       scaleTo(sizeOf(marker, visit), *measurement->second);
     }
   }
+  return measurement;
+}
+
+/*! What is in doubt besides the noise: the shape of the blur, the camera, and without refinement all of the pose. */
+void vpDetectorCircleMarker::Impl::addDoubts(const Visit &visit, const EllipseCandidate &outline,
+                                             const Recognition &marker, Workspace &workspace, Measurement &measurement,
+                                             Fit &fit) const
+{
   if (settings.refinePose) {
-    const auto halo = marker.blurred ? std::nullopt : haloOf(visit.I, visit.camera, marker, *measurement);
-    widenByShapeOfBlur(visit.noise.sigma, marker.family.isCoded(), halo, measurement->first);
+    const auto halo = marker.blurred ? std::nullopt : haloOf(visit.I, visit.camera, marker, measurement);
+    widenByShapeOfBlur(visit.noise.sigma, marker.family.isCoded(), halo, measurement.first);
     if (!marker.blurred) { // in a wide blur there is no halo to be seen
       fit.halo = halo.value_or(0.);
-      addHaloDoubt(std::hypot(fit.halo < leastHalo ? 0. : fit.halo, visit.haloError), visit.camera, *measurement);
+      addHaloDoubt(std::hypot(fit.halo < leastHalo ? 0. : fit.halo, visit.haloError), visit.camera, measurement);
     }
   }
   else if (!marker.blurred) {
-    measurement->first.covariance =
-        closedFormCovariance(visit.I, outline, measurement->first.plane, marker.family, visit.camera, workspace.meters);
+    measurement.first.covariance =
+        closedFormCovariance(visit.I, outline, measurement.first.plane, marker.family, visit.camera, workspace.meters);
   }
-  fit.poses.push_back(measurement->first.plane);
-  if (measurement->second) {
-    fit.poses.push_back(measurement->second->plane);
+  addCameraDoubt(settings.cameraCovariance, marker.family, visit.camera, measurement.first);
+}
+
+/*! The same in the image of a visit as it is. */
+bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCandidate &outline, Recognition marker,
+                                             Workspace &workspace, Found &measured, Fit &fit) const
+{
+  std::optional<Measurement> measurement = explain(visit, outline, marker, workspace);
+  if (!measurement) {
+    return false;
   }
-  addCameraDoubt(settings.cameraCovariance, marker.family, visit.camera, measurement->first);
+  addDoubts(visit, outline, marker, workspace, *measurement, fit);
   // Of a blurred outline pieces are missed, but a marker that is read through a blur shows all of its image.
   const double visible = marker.blurred        ? 1.
                          : !marker.seen        ? outline.support
@@ -336,8 +363,13 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
   vpCircleMarkerDetection &detection = measured.detection;
   putReport(marker, *measurement, visit.camera, visible, settings.zAlignedWithCameraAxis, detection);
   if (settings.refinePose && marker.family.getType() == vpCircleMarkerFamily::RING &&
-      detection.ellipse.b < leastRingSemiMinor) {
+      detection.ellipse.b < leastMeasuredRing) {
     return false;
+  }
+  fit.isOtherRing = settings.refinePose && isOtherRing(marker, measurement->first, visit.camera);
+  fit.poses.push_back(measurement->first.plane);
+  if (measurement->second) {
+    fit.poses.push_back(measurement->second->plane);
   }
   putOutline(marker, measurement->first.plane, visit.camera, polygonPoints, measured.polygon);
   measured.marker = std::move(marker);

@@ -84,7 +84,7 @@ void vpDetectorCircleMarker::Impl::dropInsideOf(const Found &ring)
     const EllipseParameters &outline = other.outline.ellipse;
     return other.marker.family.getType() == vpCircleMarkerFamily::DISC &&
            (outline.center - outer.center).norm() < mostOff * outer.a &&
-           std::abs(outline.a - ring.marker.ringInner * outer.a) < mostOff * outer.a;
+           std::abs(outline.a - ring.marker.family.getLayout().ringInner * outer.a) < mostOff * outer.a;
   };
   for (std::size_t k = found.size(); k-- > 0;) {
     if (isInside(found[k])) {

@@ -61,7 +61,7 @@ vpPoseCircle::vpPoseCircle(const vpPoseCircle &other) : m_impl(std::make_unique<
 */
 vpPoseCircle &vpPoseCircle::operator=(const vpPoseCircle &other)
 {
-  *m_impl = *other.m_impl;
+  m_impl = std::make_unique<Impl>(*other.m_impl); // the old one stays if there is no memory
   return *this;
 }
 

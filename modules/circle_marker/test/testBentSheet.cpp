@@ -160,7 +160,7 @@ struct BentFits
       }
       return std::optional<FittedPose>(fit);
     });
-    const RankedFits ranked = fitBent({}, flat, patternOf(scene.family, 8, 0.8), FitSettings(), fitter);
+    const RankedFits ranked = fitBent({}, flat, patternOf(scene.family, 8), FitSettings(), fitter);
     asked = fitter.asked;
     return ranked;
   }

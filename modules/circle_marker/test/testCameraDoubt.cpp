@@ -43,7 +43,6 @@ std::optional<FittedPose> fitted(const vpImage<unsigned char> &I, const vpCamera
   Recognition marker;
   marker.family = scene.family;
   marker.code.id = id;
-  marker.ringInner = scene.family.getLayout().ringInner;
   marker.poses = {scene.plane(), twinOf(scene.plane())};
   MeasureMemory memory;
   const auto measurement = measure(I, CameraModel(camera), marker, true, memory);

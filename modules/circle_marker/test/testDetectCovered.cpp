@@ -207,6 +207,31 @@ TEST(DetectCovered, KeptThoughCoveredIfTheImageIsLikeIt)
   EXPECT_FALSE(isKept(wrong));
 }
 
+// What is measured again without what covers it starts from a flat sheet, whatever the first fit made of the cover.
+TEST(DetectCovered, WhatIsMeasuredAgainStartsFlat)
+{
+  Random random = randomOfTest();
+  int covered = 0;
+  for (int i = 0; i < 8; ++i) {
+    const MarkerScene scene = markerScene(random, golay23, i, 90., 0.3, side);
+    MeasuredMarker measured(scene, i, random);
+    ASSERT_TRUE(measured.measurement);
+    measured.measurement->first.plane.bend.bow = 0.02;
+    measured.measurement->first.plane.bend.saddle = Eigen::Vector2d(0.01, 0.);
+    measured.I = digitise(expose(side, side, blur, CoveredScene{scene, 0., 0.5 * side - 30.}), noise, random);
+    const auto part =
+        withoutWhatCovers(measured.I, measured.camera, measured.marker, *measured.measurement, measured.memory);
+    if (!part) {
+      continue;
+    }
+    ++covered;
+    for (const MarkerPlane &pose : part->poses) {
+      EXPECT_FALSE(pose.bend.isAny()) << i;
+    }
+  }
+  EXPECT_GT(covered, 4);
+}
+
 // Of an outer edge that is seen in all directions all is visible; of one behind a half plane the angle in front of it.
 TEST(DetectCovered, VisibleEdgeIsTheShareOfItsDirections)
 {

@@ -26,6 +26,7 @@ using namespace room_test;
 
 namespace {
 constexpr unsigned int side = 200; // pixels
+const double quietZone = vpCircleMarkerLayout().quietZone;
 
 //! The outline of a marker that is seen frontally.
 EllipseParameters outlineOf(const MarkerScene &scene)
@@ -90,8 +91,9 @@ TEST(LooksBlurred, MarkersThroughAStrongBlurOnly)
       MarkerScene scene = markerScene(random, family, id, diameter, 0., side);
       scene.sheet = 2.;
       const vpImage<unsigned char> blurred = photograph(side, side, 0.045 * diameter, scene);
-      EXPECT_TRUE(looksBlurred(blurred, outlineOf(scene), true)) << family.getName();
-      EXPECT_FALSE(looksBlurred(photograph(side, side, 0.8, scene), outlineOf(scene), true)) << family.getName();
+      EXPECT_TRUE(looksBlurred(blurred, outlineOf(scene), true, quietZone)) << family.getName();
+      EXPECT_FALSE(looksBlurred(photograph(side, side, 0.8, scene), outlineOf(scene), true, quietZone))
+          << family.getName();
     }
   }
 }
@@ -105,7 +107,7 @@ TEST(LooksBlurred, ABrighterGroundIsNoBlur)
     scene.black = 40.;
     scene.white = 100.;
     scene.surround = 230.;
-    EXPECT_FALSE(looksBlurred(photograph(side, side, 0.8, scene), outlineOf(scene), true));
+    EXPECT_FALSE(looksBlurred(photograph(side, side, 0.8, scene), outlineOf(scene), true, quietZone));
   }
 }
 
@@ -113,10 +115,10 @@ TEST(LooksBlurred, NoBlurredDiscAndNothingSmall)
 {
   Random random = randomOfTest();
   const EllipseScene disc = {Eigen::Vector2d(100., 100.), 40., 40., 0.};
-  EXPECT_FALSE(looksBlurred(photograph(side, side, 3.6, disc), outlineOf(disc), true));
+  EXPECT_FALSE(looksBlurred(photograph(side, side, 3.6, disc), outlineOf(disc), true, quietZone));
   MarkerScene small = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 3, 16., 0., side);
   small.sheet = 2.;
-  EXPECT_FALSE(looksBlurred(photograph(side, side, 0.9, small), outlineOf(small), true));
+  EXPECT_FALSE(looksBlurred(photograph(side, side, 0.9, small), outlineOf(small), true, quietZone));
 }
 
 TEST(LooksBlurred, APlainRingHasNothingInItsTrack)
@@ -125,8 +127,8 @@ TEST(LooksBlurred, APlainRingHasNothingInItsTrack)
   MarkerScene ring = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 80., 0., side);
   ring.sheet = 2.;
   const vpImage<unsigned char> I = photograph(side, side, 3.6, ring);
-  EXPECT_TRUE(looksBlurred(I, outlineOf(ring), false));
-  EXPECT_FALSE(looksBlurred(I, outlineOf(ring), true));
+  EXPECT_TRUE(looksBlurred(I, outlineOf(ring), false, quietZone));
+  EXPECT_FALSE(looksBlurred(I, outlineOf(ring), true, quietZone));
 }
 
 // Where one side of a blurred marker is covered with grey, no blur that lenses or motions make explains what is left.
@@ -136,7 +138,7 @@ TEST(LooksBlurred, NothingThatDiffersInOppositeDirections)
   MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 5, 80., 0., side);
   scene.sheet = 2.;
   vpImage<unsigned char> I = photograph(side, side, 3.6, scene);
-  EXPECT_TRUE(looksBlurred(I, outlineOf(scene), true));
+  EXPECT_TRUE(looksBlurred(I, outlineOf(scene), true, quietZone));
   // The ring's side from 0.75 of the radius on, over a little more than a quarter of the circle.
   const Eigen::Vector2d center = scene.frame().center;
   for (unsigned int v = 0; v < side; ++v) {
@@ -148,5 +150,5 @@ TEST(LooksBlurred, NothingThatDiffersInOppositeDirections)
       }
     }
   }
-  EXPECT_FALSE(looksBlurred(I, outlineOf(scene), true));
+  EXPECT_FALSE(looksBlurred(I, outlineOf(scene), true, quietZone));
 }

@@ -30,8 +30,7 @@ std::vector<FitPixel> select(const MarkerScene &scene, unsigned int side, int id
   const std::array<MarkerPlane, 2> planes = {plane, plane};
   std::vector<FitPixel> pixels(3); // left over from before
   selectFewPixels(vpImage<unsigned char>(side, side, 100), CameraModel(scene.camera()), scene.frame(), planes.data(),
-                  hypotheses, patternOf(scene.family, id, scene.family.getLayout().ringInner), BlurParameters(),
-                  pixels);
+                  hypotheses, patternOf(scene.family, id), BlurParameters(), pixels);
   return pixels;
 }
 } // namespace
@@ -58,7 +57,7 @@ TEST(FewPixels, LieAcrossTheEdges)
     const vpCircleMarkerFamily family(type);
     const int id = family.isCoded() ? 11 : -1;
     const MarkerScene scene = markerScene(random, family, id, 150., uniform(random, 0., 0.9), side);
-    const MarkerPattern pattern = patternOf(family, id, family.getLayout().ringInner);
+    const MarkerPattern pattern = patternOf(family, id);
     int inside = 0, outside = 0;
     for (const FitPixel &pixel : select(scene, side, id, 1)) {
       const PatternDistance distance = distanceToPattern(pixel.model(), scene.plane(), pattern);

@@ -33,8 +33,8 @@ std::vector<FitPixel> select(const vpImage<unsigned char> &I, const MarkerScene 
 {
   std::vector<FitPixel> pixels(5); // left over from before
   const MarkerPlane plane = scene.plane();
-  selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1,
-               patternOf(scene.family, id, scene.family.getLayout().ringInner), BlurParameters(), 3000., pixels);
+  selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, patternOf(scene.family, id), BlurParameters(),
+               3000., pixels);
   return pixels;
 }
 
@@ -65,7 +65,7 @@ TEST(FitPixels, EveryPixelNearAnEdgeOnce)
     // Small enough not to be thinned.
     const MarkerScene scene =
         markerScene(random, family, 11, uniform(random, 20., 45.), uniform(random, 0., 0.8), side);
-    const MarkerPattern pattern = patternOf(family, 11, 0.8);
+    const MarkerPattern pattern = patternOf(family, 11);
     const CameraModel camera(scene.camera());
     std::set<std::pair<int, int>> chosen;
     for (const FitPixel &pixel : select(I, scene, 11)) {
@@ -193,7 +193,7 @@ TEST(FitPixels, BothHypothesesAreServed)
   moved.center.x() += 3. * scene.center.z() / scene.focal;
   const MarkerPlane planes[] = {scene.plane(), moved.plane()};
   const vpImage<unsigned char> I = numbered(side, side);
-  const MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
+  const MarkerPattern pattern = patternOf(scene.family, -1);
   const CameraModel camera(scene.camera());
   std::vector<FitPixel> pixels;
   selectPixels(I, camera, scene.frame(), planes, 2, pattern, BlurParameters(), 3000., pixels);

@@ -56,7 +56,7 @@ struct Case
 
 inline Case makeCase(const MarkerScene &scene, int id, const vpImage<unsigned char> &I)
 {
-  Case made = {scene, patternOf(scene.family, id, scene.family.getLayout().ringInner), {}};
+  Case made = {scene, patternOf(scene.family, id), {}};
   const MarkerPlane plane = scene.plane();
   selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, BlurParameters(), 3000.,
                made.pixels);

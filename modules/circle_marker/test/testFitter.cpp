@@ -40,7 +40,7 @@ struct Outcome
 Outcome outcomeOf(Fitter &fitter, const vpImage<unsigned char> &I, const MarkerScene &scene, int id, bool exactBends)
 {
   Outcome outcome;
-  const MarkerPattern pattern = patternOf(scene.family, id, scene.family.getLayout().ringInner);
+  const MarkerPattern pattern = patternOf(scene.family, id);
   const MarkerPlane plane = scene.plane();
   fitter.selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, BlurParameters(), 20000.,
                       outcome.pixels);
@@ -137,7 +137,7 @@ TEST(Fitter, ExplainsThePixels)
     const MarkerScene scene = markerScene(random, family, 5, 60., 0.6, side);
     const vpImage<double> exact = expose(side, side, 0.7, scene);
     const vpImage<unsigned char> I = digitise(exact, 2., random);
-    const MarkerPattern pattern = patternOf(family, 5, family.getLayout().ringInner);
+    const MarkerPattern pattern = patternOf(family, 5);
     const MarkerPlane plane = scene.plane();
     std::vector<FitPixel> pixels;
     fitter->selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, BlurParameters(), 20000.,

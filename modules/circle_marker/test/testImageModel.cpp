@@ -77,8 +77,7 @@ Error compare(const MarkerScene &scene, const vpImage<double> &truth, const Blur
 {
   const CameraModel camera(scene.camera());
   const MarkerPlane plane = scene.plane();
-  const MarkerPattern pattern =
-      patternOf(scene.family, scene.family.isCoded() ? 0 : -1, scene.family.getLayout().ringInner);
+  const MarkerPattern pattern = patternOf(scene.family, scene.family.isCoded() ? 0 : -1);
   MarkerPattern printed = pattern;
   printed.setWord(scene.word);
   Error error;
@@ -179,7 +178,7 @@ TEST(ImageModel, FarFromTheEdgesItIsBlackOrWhite)
   for (int i = 0; i < 10; ++i) {
     const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
     const MarkerScene scene = markerScene(random, family, 17, 100., uniform(random, 0., 0.7), side);
-    const MarkerPattern pattern = patternOf(family, 17, 0.8);
+    const MarkerPattern pattern = patternOf(family, 17);
     const CameraModel camera(scene.camera());
     int flat = 0;
     for (unsigned int v = 0; v < side; v += 2) {
@@ -208,7 +207,7 @@ TEST(ImageModel, DistanceToEdgesIsThatOfThePrint)
     const vpCircleMarkerFamily family(families[i % 4]);
     const int id = randomId(random, family);
     const MarkerScene scene = markerScene(random, family, id, 90., uniform(random, 0., 0.7), side);
-    const MarkerPattern pattern = patternOf(family, id, family.getLayout().ringInner);
+    const MarkerPattern pattern = patternOf(family, id);
     const CameraModel camera(scene.camera());
     for (int k = 0; k < 150; ++k) {
       const Eigen::Vector2d where(std::floor(uniform(random, 20., 110.)), std::floor(uniform(random, 20., 110.)));
@@ -248,7 +247,7 @@ TEST(ImageModel, TheValueIsTheSameWithoutItsDerivatives)
       const int id = randomId(random, family);
       const MarkerScene scene = markerScene(random, family, id, 60., uniform(random, 0.2, 1.), side);
       const MarkerPlane plane = scene.plane();
-      const MarkerPattern pattern = patternOf(family, id, family.getLayout().ringInner);
+      const MarkerPattern pattern = patternOf(family, id);
       std::vector<FitPixel> pixels;
       selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, BlurParameters(), 1e6, pixels);
       PixelBlocks blocks;
@@ -276,7 +275,7 @@ TEST(ImageModel, SpreadMovesEveryEdgeOutward)
   Random random = randomOfTest();
   MarkerScene scene = markerScene(random, vpCircleMarkerFamily::ring(0.8), -1, 90., 0., side);
   const CameraModel camera(scene.camera());
-  const MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
+  const MarkerPattern pattern = patternOf(scene.family, -1);
   const double perPixel = scene.center.z() / (scene.focal * scene.radius);
   BlurParameters spread;
   spread.spread = 0.25 * perPixel;

@@ -48,7 +48,7 @@ void expectDerivatives(double leastDiameter, double mostDiameter, double precisi
       const int id = randomId(random, family);
       const MarkerScene scene =
           markerScene(random, family, id, uniform(random, leastDiameter, mostDiameter), uniform(random, 0., 0.9), side);
-      const MarkerPattern pattern = patternOf(family, id, family.getLayout().ringInner);
+      const MarkerPattern pattern = patternOf(family, id);
       const CameraModel camera(scene.camera());
       const double pixelSize = scene.center.z() / scene.focal;
       BlurParameters blur;

@@ -40,8 +40,7 @@ MarkerScene asDarkness(MarkerScene scene)
 struct Case
 {
   Case(const MarkerScene &scene, double blur)
-      : plane(scene.plane()),
-        pattern(patternOf(scene.family, scene.family.isCoded() ? 0 : -1, scene.family.getLayout().ringInner)),
+      : plane(scene.plane()), pattern(patternOf(scene.family, scene.family.isCoded() ? 0 : -1)),
         truth(expose(side, side, blur, asDarkness(scene), 8))
   {
     pattern.setWord(scene.word);

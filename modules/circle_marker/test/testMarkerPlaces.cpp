@@ -48,7 +48,6 @@ Recognition markerOf(const vpCircleMarkerFamily &family, const MarkerPlane &plan
 {
   Recognition marker;
   marker.family = family;
-  marker.ringInner = family.getLayout().ringInner;
   marker.poses = {plane, plane};
   return marker;
 }

@@ -211,8 +211,7 @@ TEST(MaximumLikelihood, ARivalIsNoReasonToGiveUpEarly)
     EXPECT_LT(other->squares, 1.05 * best->squares) << "image " << i; // each is judged by its own noise
     EXPECT_TRUE(other->isSettled);
     // Another code has no chance, and needs not go to its end.
-    const MarkerPattern others =
-        patternOf(family, (id + 1) % static_cast<int>(family.getNbIds()), made.pattern.ring[1].radius);
+    const MarkerPattern others = patternOf(family, (id + 1) % static_cast<int>(family.getNbIds()));
     const auto wrong = fitAll(made.pixels, made.scene.plane(), others, settings);
     givenUp += wrong && !wrong->isSettled ? 1 : 0;
   }

@@ -45,7 +45,7 @@ TEST(MaximumLikelihoodLight, MotionIsNoError)
         exposed.bitmap[k] += still.bitmap[k] / steps;
       }
     }
-    Case made = {scene, patternOf(family, id, family.getLayout().ringInner), {}};
+    Case made = {scene, patternOf(family, id), {}};
     const vpImage<unsigned char> I = digitise(exposed, 2., random);
     const MarkerPlane plane = scene.plane();
     BlurParameters blur;

@@ -39,29 +39,6 @@ SeenParts allParts(const MarkerScene &scene)
 }
 } // namespace
 
-// The first look at a small ring misjudges its ratio: the design's is tried first.
-TEST(MeasureFits, ARingHasTheRatioOfItsDesignIfItFits)
-{
-  const MarkerScene scene = tilted(ring, 0.5);
-  Recognition marker = recognised(scene, -1, false);
-  const double design = ring.getLayout().ringInner;
-  marker.ringInner = design - 0.1;
-  const auto ratioOf = [&](double correlation, double logGamma) {
-    const Outcome outcome = outcomeOf(scene, marker, true, [&](FittedPose &fit, const ScriptedFitter::Asked &asked) {
-      if (!asked.settings.exactBends && asked.pattern.ring[1].radius == design) {
-        fit.correlation = correlation;
-        fit.photometry.gamma = std::exp(logGamma);
-      }
-    });
-    return outcome.asked.back().pattern.ring[1].radius;
-  };
-  EXPECT_EQ(ratioOf(0.95, 0.), design);
-  EXPECT_EQ(ratioOf(0.93, 0.), marker.ringInner);
-  EXPECT_EQ(ratioOf(0.95, within), design);
-  EXPECT_EQ(ratioOf(0.95, beyond), marker.ringInner);
-  EXPECT_EQ(ratioOf(0.95, -beyond), marker.ringInner);
-}
-
 TEST(MeasureFits, ADiscHasNoGammaOfItsOwn)
 {
   for (const auto type : {vpCircleMarkerFamily::DISC, vpCircleMarkerFamily::RING, vpCircleMarkerFamily::GOLAY23}) {

@@ -79,6 +79,31 @@ TEST(MeasureLimits, LightInkAndPaperAreWhatTheyCanBe)
   }
 }
 
+// A plain ring whose ink would have spread by more is another ring; in a blur edges are not known as well.
+TEST(MeasureLimits, RingsOfAnotherRatioAreToldByTheirInk)
+{
+  constexpr double wide = 3.; // pixels, of a radius of 40
+  struct Case
+  {
+    double blur;
+    double most; // outer radii
+  };
+  const MarkerScene scene = tilted(ring, 0.5);
+  const CameraModel camera(scene.camera());
+  for (const Case &limit : {Case{0.7, 0.01}, Case{wide, 0.3 * wide / 40.}}) {
+    FittedPose fit;
+    fit.plane = scene.plane();
+    fit.photometry.blur.sigma = limit.blur;
+    for (const double spread : {limit.most, -limit.most}) {
+      fit.photometry.blur.spread = 0.98 * spread;
+      EXPECT_FALSE(isOtherRing(recognised(scene, -1, false), fit, camera)) << spread;
+      fit.photometry.blur.spread = 1.02 * spread;
+      EXPECT_TRUE(isOtherRing(recognised(scene, -1, false), fit, camera)) << spread;
+      EXPECT_FALSE(isOtherRing(recognised(tilted(coded, 0.5), 8, false), fit, camera)) << spread;
+    }
+  }
+}
+
 // A tilted marker's image is narrow, and the light changes across it by less than along it.
 TEST(MeasureLimits, LightIsJudgedOnTheMarkerAsItIsSeen)
 {

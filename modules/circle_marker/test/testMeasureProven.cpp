@@ -44,7 +44,6 @@ Recognition recognisedAs(const MarkerScene &scene, int id, int sectors, bool isC
   Recognition marker;
   marker.family = scene.family;
   marker.code.id = id;
-  marker.ringInner = scene.family.getLayout().ringInner;
   marker.isCertain = isCertain;
   MarkerPlane plane = scene.plane();
   plane.spin(2. * M_PI * sectors / scene.family.getNbSectors());

@@ -29,7 +29,6 @@ inline circle_marker::Recognition recognised(const MarkerScene &scene, int id, b
   circle_marker::Recognition marker;
   marker.family = scene.family;
   marker.code.id = id;
-  marker.ringInner = scene.family.getLayout().ringInner;
   const circle_marker::MarkerPlane truth = scene.plane();
   marker.poses = {twinFirst ? twinOf(truth) : truth, twinFirst ? truth : twinOf(truth)};
   return marker;

@@ -40,7 +40,7 @@ Packed pack(Random &random, const vpCircleMarkerFamily &family, double diameter,
   Packed packed;
   const int id = family.isCoded() ? static_cast<int>(random() % family.getNbIds()) : -1;
   packed.scene = markerScene(random, family, id, diameter, uniform(random, 0., 1.), side);
-  packed.pattern = patternOf(family, id, family.getLayout().ringInner);
+  packed.pattern = patternOf(family, id);
   const MarkerPlane plane = packed.scene.plane();
   selectPixels(digitise(expose(side, side, 0.7, packed.scene, 2), 2., random), CameraModel(packed.scene.camera()),
                packed.scene.frame(), &plane, 1, packed.pattern, BlurParameters(), 1e6, packed.pixels);
@@ -114,7 +114,7 @@ TEST(PixelBlocks, NeighboursInABlockMakeNoDifference)
     for (const double tilt : {0.6, 1.3}) {
       Packed packed;
       packed.scene = markerScene(random, family, 7, diameter, tilt, wide);
-      packed.pattern = patternOf(family, 7, family.getLayout().ringInner);
+      packed.pattern = patternOf(family, 7);
       const MarkerPlane plane = packed.scene.plane();
       selectPixels(I, CameraModel(packed.scene.camera()), packed.scene.frame(), &plane, 1, packed.pattern,
                    BlurParameters(), 1e6, packed.pixels);
@@ -171,7 +171,7 @@ TEST(PixelBlocks, DoubtGrowsWithTheDifferenceOfTheSurround)
   const CameraModel camera(scene.camera());
   pixel.meter = camera.toMeter(Eigen::Vector2d(75., 75.)).cast<float>();
   pixel.meterPerPixel = camera.meterPerPixel(Eigen::Vector2d(75., 75.)).cast<float>();
-  MarkerPattern pattern = patternOf(scene.family, -1, 0.8);
+  MarkerPattern pattern = patternOf(scene.family, -1);
   const PlanePoint point = planePoint(pixel.model(), scene.plane());
   const double gradient = (point.byPixel.transpose() * point.q.normalized()).norm();
   Photometry photometry;

@@ -29,6 +29,7 @@ std::optional<RadialProfile> profileOf(const MarkerScene &scene, double noise, R
                        scene.plane());
 }
 constexpr double leastContrast = 0.3 * (paper - ink);
+const double quietZone = vpCircleMarkerLayout().quietZone;
 } // namespace
 
 TEST(RadialProfile, RatioOfRings)
@@ -41,7 +42,7 @@ TEST(RadialProfile, RatioOfRings)
         markerScene(random, vpCircleMarkerFamily::ring(ratio), -1, diameter, uniform(random, 0., 0.9), 150);
     const auto profile = profileOf(scene, 2., random);
     ASSERT_TRUE(profile);
-    const auto inner = innerRadius(*profile, leastContrast);
+    const auto inner = innerRadius(*profile, quietZone, leastContrast);
     ASSERT_TRUE(inner) << "ratio " << ratio << " diameter " << diameter;
     // A pixel is 2 / diameter of the radius; a fifth of a pixel, and more where a thin rim is blurred.
     EXPECT_NEAR(*inner, ratio, 0.02 + 0.4 / diameter) << "diameter " << diameter;
@@ -69,6 +70,27 @@ TEST(RadialProfile, GreyLevelsOfThickRings)
   }
 }
 
+// The ground beyond a narrow quiet zone is no white.
+TEST(RadialProfile, WhiteIsThatOfTheQuietZone)
+{
+  Random random = randomOfTest();
+  vpCircleMarkerLayout narrow = vpCircleMarkerFamily::ring(0.7).getLayout();
+  narrow.quietZone = 0.08;
+  for (int i = 0; i < 20; ++i) {
+    const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING).withLayout(narrow),
+                                          -1, 110., uniform(random, 0., 0.3), 150);
+    const auto round = [&](double u, double v) {
+      return scene.onMarker(u, v).norm() < 1. + narrow.quietZone ? scene(u, v) : ink;
+    };
+    const auto profile = radialProfile(photograph(150, 150, 0.7, round), CameraModel(scene.camera()), scene.plane());
+    ASSERT_TRUE(profile);
+    const auto inner = innerRadius(*profile, narrow.quietZone, leastContrast);
+    ASSERT_TRUE(inner);
+    EXPECT_NEAR(*inner, narrow.ringInner, 0.03);
+    EXPECT_FALSE(innerRadius(*profile, quietZone, leastContrast)) << "the zone is wider than it was said to be";
+  }
+}
+
 TEST(RadialProfile, DiscsAreDarkToTheCentre)
 {
   Random random = randomOfTest();
@@ -77,7 +99,7 @@ TEST(RadialProfile, DiscsAreDarkToTheCentre)
                                           uniform(random, 20., 110.), uniform(random, 0., 0.9), 150);
     const auto profile = profileOf(scene, 2., random);
     ASSERT_TRUE(profile);
-    const auto inner = innerRadius(*profile, leastContrast);
+    const auto inner = innerRadius(*profile, quietZone, leastContrast);
     ASSERT_TRUE(inner);
     EXPECT_EQ(*inner, 0.);
   }
@@ -97,7 +119,7 @@ TEST(RadialProfile, CoveredQuarterDoesNotDecide)
     };
     const auto profile = radialProfile(photograph(150, 150, 0.7, covered), CameraModel(scene.camera()), scene.plane());
     ASSERT_TRUE(profile);
-    const auto inner = innerRadius(*profile, leastContrast);
+    const auto inner = innerRadius(*profile, quietZone, leastContrast);
     ASSERT_TRUE(inner) << "cover " << cover;
     EXPECT_NEAR(*inner, 0.7, 0.03) << "cover " << cover;
   }
@@ -107,12 +129,12 @@ TEST(RadialProfile, NothingWithoutADarkBand)
 {
   RadialProfile flat;
   flat.grey.fill(120.);
-  EXPECT_FALSE(innerRadius(flat, 10.));
+  EXPECT_FALSE(innerRadius(flat, quietZone, 10.));
   RadialProfile bright; // a bright disc
   for (unsigned int i = 0; i < RadialProfile::size; ++i) {
     bright.grey[i] = RadialProfile::radiusAt(i) < 1. ? paper : ink;
   }
-  EXPECT_FALSE(innerRadius(bright, 10.));
+  EXPECT_FALSE(innerRadius(bright, quietZone, 10.));
 }
 
 TEST(RadialProfile, NothingOutsideOfTheImage)

@@ -52,8 +52,8 @@ FittedPose fitOf(const MarkerPlane &plane, double deviation)
   return fit;
 }
 
-const MarkerPattern withCode = patternOf(vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 3, 0.8);
-const MarkerPattern withoutCode = patternOf(vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 0.8);
+const MarkerPattern withCode = patternOf(vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 3);
+const MarkerPattern withoutCode = patternOf(vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1);
 
 //! Starts that lean to different sides, by their number.
 Few<FitStart> startsFrom(int count)

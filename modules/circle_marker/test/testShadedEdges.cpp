@@ -31,7 +31,7 @@ constexpr double absorption = 0.8;
 struct Case
 {
   Case(const MarkerScene &scene, double blur, double penumbra, double direction, double edge)
-      : plane(scene.plane()), pattern(patternOf(scene.family, 0, scene.family.getLayout().ringInner))
+      : plane(scene.plane()), pattern(patternOf(scene.family, 0))
   {
     pattern.setWord(scene.word);
     photometry.blur.sigma = std::sqrt(blur * blur + 1. / 12.);

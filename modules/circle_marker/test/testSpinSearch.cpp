@@ -53,7 +53,7 @@ Searched searched(const MarkerScene &scene, double turn, const Deadline &deadlin
   RankedFits ranked;
   ranked.fits.push_back(fitAt({scene.plane(), std::nullopt, std::nullopt}));
   ranked.noise = noise;
-  MarkerPattern pattern = patternOf(scene.family, 8, scene.family.getLayout().ringInner);
+  MarkerPattern pattern = patternOf(scene.family, 8);
   Searched result;
   FitSettings settings;
   settings.deadline = deadline;
@@ -119,7 +119,7 @@ TEST(SpinSearch, ACoverInTheMiddleDoesNotTurnTheMarker)
   const auto right = measure(I, CameraModel(scene.camera()), recognised(scene, id, false), true, memory);
   ASSERT_TRUE(right);
   EXPECT_TRUE(mayBeTurned(right->first)) << right->first.inliers;
-  const MarkerPattern pattern = patternOf(coded, id, coded.getLayout().ringInner);
+  const MarkerPattern pattern = patternOf(coded, id);
   FitSettings settings;
   settings.spinIsKnown = true;
   for (const double aside : {-0.1, -0.035, 0.035, 0.1}) { // rad

@@ -24,6 +24,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "pose/circle_bounds.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
@@ -59,26 +61,20 @@ void BlurredMarker::select(const MarkerPlane &plane, const ImageBlur &blur, std:
   m_samples.clear();
   m_center = m_camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
   m_meterPerPixel = m_camera.meterPerPixel(m_center);
-  Eigen::Vector2d least = m_center;
-  Eigen::Vector2d most = m_center;
   const double radius = 1. + seenQuietZone * m_layout.quietZone;
-  for (int i = 0; i < 16; ++i) {
-    const double angle = 2. * M_PI * i / 16.;
-    const Eigen::Vector2d p =
-        m_camera.toPixel(plane.project(radius * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
-    least = least.cwiseMin(p);
-    most = most.cwiseMax(p);
-  }
+  const auto [least, most] = boundsOfCircle(plane, m_camera, radius, 16);
   m_extent = 0.5 * (most - least).maxCoeff();
-  const Eigen::Vector2d size = most - least;
-  const double area = 0.785 * size.x() * size.y();
+  const double area = M_PI_4 * (most - least).prod();
   const int block = std::max(1, static_cast<int>(std::lround(std::sqrt(area / static_cast<double>(count)))));
   m_block = block;
   m_print.set(plane, blur, m_meterPerPixel, m_block);
-  const int left = std::max(0, static_cast<int>(std::ceil(least.x())));
-  const int top = std::max(0, static_cast<int>(std::ceil(least.y())));
-  const int right = std::min(static_cast<int>(m_image.getWidth()), static_cast<int>(most.x()) + 1);
-  const int bottom = std::min(static_cast<int>(m_image.getHeight()), static_cast<int>(most.y()) + 1);
+  const auto within = [](double place, unsigned int size) {
+    return static_cast<int>(std::clamp(place, 0., static_cast<double>(size)));
+  };
+  const int left = within(std::ceil(least.x()), m_image.getWidth());
+  const int top = within(std::ceil(least.y()), m_image.getHeight());
+  const int right = within(std::floor(most.x()) + 1., m_image.getWidth());
+  const int bottom = within(std::floor(most.y()) + 1., m_image.getHeight());
   for (int y = top; y + block <= bottom && !m_deadline.hasPassed(); y += block) {
     for (int x = left; x + block <= right; x += block) {
       BlurredSample sample;
@@ -232,9 +228,7 @@ void BlurredMarker::improve(BlurredFit &fit, int steps, bool movesSpin)
       damped.diagonal().head(moving) *= 1. + damping;
       const Eigen::VectorXd by = damped.ldlt().solve(right);
       BlurredFit next = changed(fit, by, poseSize);
-      const bool isVisible = by.allFinite() && next.plane.center.z() > 0.1 * next.plane.radius &&
-                             next.plane.rotation.col(2).dot(next.plane.center) > 0.;
-      if (isVisible) {
+      if (by.allFinite() && next.plane.showsFront()) {
         solve(next);
       }
       if (next.squares < fit.squares) {

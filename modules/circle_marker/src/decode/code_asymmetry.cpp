@@ -23,11 +23,11 @@
 
 #include <Eigen/Cholesky>
 
+#include "support/sensor_range.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// What noise the rounding to whole grey levels makes, where there is no other.
-constexpr double rounding = 0.29;
 // How much more than the noise the differences are at least: in standard deviations of their mean square, and, root
 // mean square, as a share of the range of grey levels inside. Of a thousand golay23 and bch31 of 8 to 30 pixels that
 // were found, with what else they are found by, the least were 1.8 and 0.033.
@@ -156,7 +156,7 @@ bool isAsymmetricAsCode(const vpImage<unsigned char> &I, const EllipseParameters
     }
     twice += here->away;
   }
-  const double ofNoise = std::max(noise * noise, rounding * rounding);
+  const double ofNoise = std::max(noise * noise, quantisation * quantisation);
   const double significance = (asymmetry->variance / ofNoise - 1.) * std::sqrt(0.5 * asymmetry->freedom);
   const auto squareOf = [&](double share) { return share * share * asymmetry->range * asymmetry->range; };
   return significance > leastSignificance && asymmetry->variance - ofNoise > squareOf(leastShare) &&

@@ -39,10 +39,12 @@ constexpr double leastWidth = 3.2;
 constexpr double leastRelativeWidth = 0.16;
 // Semi-minor axis of the smallest blurred marker that is tried, pixels: its sectors have a pixel each.
 constexpr double leastSemiMinor = 9.;
-// Where paper, ring and track are looked at, in radii, and how the centre's grey level may differ from that of the
+// Where paper (of the quiet zone's width, and no farther out than in the usual one), ring and track are looked at, in
+// radii, and how the centre's grey level may differ from that of the
 // paper, the track's least and greatest from those of ring and paper, and what they differ at least, in units of the
 // step between ring and paper.
-constexpr double paperRadius = 1.12;
+constexpr double paperOfQuietZone = 0.72;
+constexpr double farthestPaper = 1.12;
 constexpr double ringRadius = 0.88;
 constexpr double trackRadius = 0.5;
 constexpr double centerRadius = 0.1;
@@ -186,12 +188,12 @@ double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outli
   return *second;
 }
 
-bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outline, bool isCoded)
+bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outline, bool isCoded, double quietZone)
 {
   if (outline.b < leastSemiMinor) {
     return false;
   }
-  const auto paper = greysAround(I, outline, paperRadius);
+  const auto paper = greysAround(I, outline, std::min(1. + paperOfQuietZone * quietZone, farthestPaper));
   const auto ring = paper ? greysAround(I, outline, ringRadius) : std::nullopt;
   const auto center = ring ? greysAround(I, outline, centerRadius) : std::nullopt;
   if (!center) {

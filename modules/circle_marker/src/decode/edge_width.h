@@ -40,8 +40,12 @@ double edgeWidth(const vpImage<unsigned char> &I, const EllipseParameters &outli
   Whether an outline may be a marker seen through a strong blur, one that sectors cannot be read through one by one: its
   edge is wide, its centre is as white as the paper around, its ring is dark and the same in opposite directions and, if
   it has a code, its track has something of both.
+  \param I : The image.
+  \param outline : Of a dark ring.
+  \param isCoded : Whether the ring has a code within.
+  \param quietZone : Width of the white around the ring, in outer radii.
 */
-bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outline, bool isCoded);
+bool looksBlurred(const vpImage<unsigned char> &I, const EllipseParameters &outline, bool isCoded, double quietZone);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -31,7 +31,7 @@ constexpr double roomOfWhite = 0.95;
 double roomOf(const Recognition &marker)
 {
   const vpCircleMarkerFamily &family = marker.family;
-  return family.isCoded() ? family.getLayout().codeInner : roomOfWhite * marker.ringInner; // 0 for a disc
+  return family.isCoded() ? family.getLayout().codeInner : roomOfWhite * family.getLayout().ringInner; // 0 for a disc
 }
 
 // Whether a circle about the centre of a marker's print holds an outline, as eight of its points show it.

@@ -50,7 +50,7 @@ double MeasuredRing::levelAt(const Eigen::Vector2d &place, double grey) const
 
 bool MeasuredRing::isCutOff(const Eigen::Vector2d &place, double grey) const
 {
-  return grey >= brightestTold && whiteAt(place) > brightestTold;
+  return mayBeTooBright(grey) && whiteAt(place) > brightestTold;
 }
 
 double MeasuredRing::noiseOfLevel() const

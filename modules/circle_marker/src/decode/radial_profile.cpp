@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "decode/marker_light.h"
 #include "support/bilinear.h"
 #include "support/median.h"
 
@@ -28,8 +29,8 @@ namespace circle_marker {
 namespace {
 // Directions of the median: enough that a code's sectors and an occluder of a quarter do not decide it.
 constexpr unsigned int directions = 48;
-// The white around is taken at this radius, outside the blur of the edge.
-constexpr double whiteRadius = 1.10;
+// The white around is taken no farther out than this: outside the blur of the edge, and within the profile.
+constexpr double farthestWhite = 1.10;
 // A ring is sought no thinner than this, and a band that reaches further in than discRadius is a disc.
 constexpr double thinnest = 0.95;
 constexpr double discRadius = 0.15;
@@ -64,9 +65,9 @@ std::optional<RadialProfile> radialProfile(const vpImage<unsigned char> &I, cons
   return profile;
 }
 
-std::optional<double> innerRadius(const RadialProfile &profile, double leastContrast)
+std::optional<double> innerRadius(const RadialProfile &profile, double quietZone, double leastContrast)
 {
-  const double white = at(profile, whiteRadius);
+  const double white = at(profile, std::min(radiusOfWhite(quietZone), farthestWhite));
   // The darkest radius near the outer edge: the middle of a thin ring, or the rim of a thick one.
   double black = HUGE_VAL;
   double darkest = 1.;

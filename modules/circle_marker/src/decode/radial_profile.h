@@ -46,8 +46,11 @@ std::optional<RadialProfile> radialProfile(const vpImage<unsigned char> &I, cons
   Inner radius of the dark ring below the outer edge, in units of the outer radius: where the profile climbs back to
   the middle between the ring's black and the white around. Zero for a disc, dark to its centre. Nothing if there is no
   dark band, or its inner side is not clear.
+  \param profile : Around the pose.
+  \param quietZone : Width of the white around the ring, in outer radii.
+  \param leastContrast : Of the band, grey levels.
 */
-std::optional<double> innerRadius(const RadialProfile &profile, double leastContrast);
+std::optional<double> innerRadius(const RadialProfile &profile, double quietZone, double leastContrast);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

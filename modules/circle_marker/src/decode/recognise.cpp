@@ -85,7 +85,6 @@ Recognition markerOf(const PosePair &poses, const vpCircleMarkerFamily &family,
   Recognition result;
   result.family = family;
   result.code = *codes[best];
-  result.ringInner = family.getLayout().ringInner;
   result.poses = poses;
   result.poses[best].spin(codes[best]->spin);
   if (codes[other] && codes[other]->id == codes[best]->id) {
@@ -139,7 +138,6 @@ Recognition blurredMarkerOf(const BlurredReading &reading, const vpCircleMarkerF
   Recognition result;
   result.family = family;
   result.code = reading.code;
-  result.ringInner = family.getLayout().ringInner;
   result.poses = {reading.fit.plane, reading.twin};
   result.blurred = reading.poses;
   Eigen::Matrix<double, 6, 6> back = Eigen::Matrix<double, 6, 6>::Zero();
@@ -172,16 +170,16 @@ std::optional<Recognition> recogniseBlurredRing(const vpImage<unsigned char> &I,
   return reading ? std::optional<Recognition>(blurredMarkerOf(*reading, family)) : std::nullopt;
 }
 
-// Inner radius of a ring without a code at a pose, in units of the outer: that of the design if it is near; 0 of a
-// disc.
-Judged<double> innerRadiusAt(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                             const EllipseCandidate &outline, const vpCircleMarkerFamily &family)
+// Why there is nothing at a pose that may be a plain ring or a disc of the family; NONE if there is. The first look
+// misjudges the ratio of small and blurred rings: whether it is the family's, the fit tells.
+vpCircleMarkerReject judgeShape(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
+                                const EllipseCandidate &outline, const vpCircleMarkerFamily &family)
 {
   const auto profile = radialProfile(I, camera, plane);
   if (!profile) {
     return vpCircleMarkerReject::OUT_OF_IMAGE;
   }
-  const auto inner = innerRadius(*profile, shareOfContrast * outline.contrast);
+  const auto inner = innerRadius(*profile, family.getLayout().quietZone, shareOfContrast * outline.contrast);
   if (!inner) {
     return vpCircleMarkerReject::NO_RING;
   }
@@ -194,7 +192,7 @@ Judged<double> innerRadiusAt(const vpImage<unsigned char> &I, const CameraModel 
   if (!hasShapeAllAround(I, camera, plane, family.getLayout(), radius)) {
     return vpCircleMarkerReject::NOT_ALL_AROUND;
   }
-  return radius;
+  return vpCircleMarkerReject::NONE;
 }
 
 Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
@@ -210,16 +208,15 @@ Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const Camera
   // At the mirrored pose the inner circle of a large ring lies beside where it should be.
   vpCircleMarkerReject farthest = vpCircleMarkerReject::NONE;
   for (const MarkerPlane &plane : poses) {
-    const Judged<double> inner = innerRadiusAt(I, camera, plane, outline, family);
-    if (inner) {
+    const vpCircleMarkerReject reason = judgeShape(I, camera, plane, outline, family);
+    if (reason == vpCircleMarkerReject::NONE) {
       Recognition result;
       result.family = family;
       result.code.margin = 1.;
-      result.ringInner = *inner;
       result.poses = poses;
       return result;
     }
-    farthest = std::max(farthest, inner.reason());
+    farthest = std::max(farthest, reason);
   }
   return farthest;
 }
@@ -231,7 +228,8 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
                               const Deadline &deadline)
 {
   if (!family.isCoded()) {
-    if (mayBeBlurred && family.getType() == vpCircleMarkerFamily::RING && looksBlurred(I, outline.ellipse, false)) {
+    if (mayBeBlurred && family.getType() == vpCircleMarkerFamily::RING &&
+        looksBlurred(I, outline.ellipse, false, family.getLayout().quietZone)) {
       if (auto blurred = recogniseBlurredRing(I, camera, poses, outline, family, deadline)) {
         return std::move(*blurred);
       }
@@ -244,7 +242,7 @@ Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel
   if (outline.ellipse.b < leastCodeSemiMinor || trackPixels < leastSectorPixels * family.getNbSectors()) {
     return vpCircleMarkerReject::TOO_SMALL;
   }
-  if (mayBeBlurred && looksBlurred(I, outline.ellipse, true)) {
+  if (mayBeBlurred && looksBlurred(I, outline.ellipse, true, layout.quietZone)) {
     if (auto blurred = recogniseBlurred(I, camera, poses, outline, family, settings, deadline)) {
       return std::move(*blurred);
     }
@@ -299,10 +297,8 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   if (!most) {
     return std::nullopt;
   }
-  const double inner = family.getLayout().ringInner;
   Recognition result;
-  result.family = vpCircleMarkerFamily::ring(inner);
-  result.ringInner = inner;
+  result.family = vpCircleMarkerFamily::ring(family.getLayout().ringInner);
   result.poses = poses;
   result.seen = most;
   return result;

@@ -35,8 +35,7 @@ namespace circle_marker {
 struct Recognition
 {
   vpCircleMarkerFamily family;
-  CodeReading code;       //!< id -1 without a code.
-  double ringInner = 0.8; //!< Inner radius of the ring, in units of the outer radius; 0 for a disc.
+  CodeReading code; //!< id -1 without a code.
   PosePair poses;
   std::optional<SeenParts> seen;    //!< Where something covers a part of it.
   std::optional<MeasuredRing> ring; //!< Then its ring, which was measured before its code was read.

@@ -47,9 +47,8 @@ constexpr double lookBeyond = 1.5;
 // Where less than twice this share of the contrast is to be expected of the outer step, its absence does not tell:
 // noise of 2 % of the contrast, and the outline off by a tenth of a pixel, make as much.
 constexpr double stepInDoubt = 0.1;
-// Where white is read in the quiet zone, and the inside of a ring, of its inner radius, and of a disc: past most of the
-// blur, as far from the edge as the print allows.
-constexpr double whiteOfQuietZone = 0.6;
+// Where the inside of a ring is read, of its inner radius, and a disc: past most of the blur, as far from the edge as
+// the print allows.
 constexpr double insideOfRing = 0.65;
 constexpr double rimOfDisc = 0.8;
 constexpr double insideOfDisc = 0.4;
@@ -281,7 +280,7 @@ bool hasShapeAllAround(const vpImage<unsigned char> &I, const CameraModel &camer
                        const vpCircleMarkerLayout &layout, double ringInner)
 {
   const bool isDisc = ringInner == 0.;
-  Circle outside = {1. + whiteOfQuietZone * layout.quietZone, {}};
+  Circle outside = {radiusOfWhite(layout.quietZone), {}};
   Circle dark = {isDisc ? rimOfDisc : 0.5 * (1. + ringInner), {}};
   Circle inside = {isDisc ? insideOfDisc : insideOfRing * ringInner, {}};
   const Outline outline = outlineOf(camera, plane, ringInner);

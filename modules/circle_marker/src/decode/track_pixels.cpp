@@ -69,7 +69,7 @@ void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &ca
   m_pixels.clear();
   constexpr int directions = 32;
   const auto [least, most] = boundsOfCircle(ring.plane, camera, 1., directions);
-  const double area = 0.785 * (most - least).prod();
+  const double area = M_PI_4 * (most - least).prod();
   const int step = std::max(1, static_cast<int>(std::lround(std::sqrt(area / enoughPixels))));
   const auto clamped = [](double value, unsigned int size) {
     return static_cast<int>(std::clamp(value, 0., static_cast<double>(size) - 1.));
@@ -122,8 +122,8 @@ void TrackPixels::findCover()
 {
   const unsigned int parts = partsPerSector * m_sectors;
   const double like = modelError + likeOfNoise * m_noise;
-  std::array<int, mostSamples> ink{};
-  std::array<int, mostSamples> paper{};
+  std::array<int, mostParts> ink{};
+  std::array<int, mostParts> paper{};
   int all = 0;
   for (const Pixel &pixel : m_pixels) {
     if (pixel.mayBePrint(m_slack)) {

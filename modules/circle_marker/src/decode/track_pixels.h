@@ -40,6 +40,7 @@ namespace circle_marker {
   taken to be covered by the same.
 */
 constexpr unsigned int partsPerSector = 8;
+constexpr unsigned int mostParts = partsPerSector * mostSectors;
 constexpr unsigned int coverReach = 3;
 /*! Pixels of a cover that make it one. */
 constexpr int fewestOfCover = 2;
@@ -201,10 +202,10 @@ private:
   bool m_hasLikePrint = false;
   TrackMemory &m_memory;
   std::vector<Pixel> &m_pixels;
-  std::vector<Placed> &m_placed;              //!< Those that show one sector alone.
-  double m_phase = 0.;                        //!< Of the grid of sectors, rad.
-  std::array<bool, mostSamples> m_inkCover;   //!< By parts of sectors: whether something there is like ink.
-  std::array<bool, mostSamples> m_paperCover; //!< Or like paper.
+  std::vector<Placed> &m_placed;            //!< Those that show one sector alone.
+  double m_phase = 0.;                      //!< Of the grid of sectors, rad.
+  std::array<bool, mostParts> m_inkCover;   //!< By parts of sectors: whether something there is like ink.
+  std::array<bool, mostParts> m_paperCover; //!< Or like paper.
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

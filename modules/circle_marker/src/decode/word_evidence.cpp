@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "decode/extended_word.h"
 #include "support/normal_distribution.h"
@@ -276,7 +277,7 @@ LikeliestWord WordEvidence::likeliest(const CyclicCode &code) const
 {
   const unsigned int n = m_sectors;
   LikeliestWord result;
-  float best = -1.f;
+  float best = -std::numeric_limits<float>::infinity();
   double others = 0.; // sum of their likelihoods, in units of that of the best
   code.forEachCodeword([&](CyclicCode::Word word) {
     const std::uint64_t bits = extended(word, n);

@@ -142,12 +142,12 @@ private:
   const float m_inner;       //!< What noise leaves of most pixels of a flat part, share of the contrast.
   const float m_innerAtEdge; //!< The same at an edge.
   std::vector<Explained> &m_explained;
-  std::array<std::array<int, mostSamples>, 2> m_cover;   //!< Pixels like paper (0), ink (1), by parts of sectors.
-  std::array<std::array<float, mostSamples>, 2> m_trust; //!< In paper, in ink, by parts of sectors.
-  Table m_evidence;                                      //!< Log-odds for what is seen of a sector.
-  double m_cutOffRange = 1e-3;                           //!< Levels that the sensor does not tell from paper.
-  Table m_told;                                          //!< Share of a sector that is told.
-  double m_phase = 0.;                                   //!< Where the first sector begins, rad.
+  std::array<std::array<int, mostParts>, 2> m_cover;   //!< Pixels like paper (0), ink (1), by parts of sectors.
+  std::array<std::array<float, mostParts>, 2> m_trust; //!< In paper, in ink, by parts of sectors.
+  Table m_evidence;                                    //!< Log-odds for what is seen of a sector.
+  double m_cutOffRange = 1e-3;                         //!< Levels that the sensor does not tell from paper.
+  Table m_told;                                        //!< Share of a sector that is told.
+  double m_phase = 0.;                                 //!< Where the first sector begins, rad.
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -96,10 +96,10 @@ struct Count
 // Pixels of the parts of a track, those that are of another colour, and of what is beside it.
 struct PartCounts
 {
-  std::array<unsigned int, mostSamples> all{};   // of the track
-  std::array<unsigned int, mostSamples> ink{};   // where the word has white
-  std::array<unsigned int, mostSamples> paper{}; // where it has black
-  std::array<Count, mostSamples> beside{};       // of ring, gap and centre
+  std::array<unsigned int, mostParts> all{};   // of the track
+  std::array<unsigned int, mostParts> ink{};   // where the word has white
+  std::array<unsigned int, mostParts> paper{}; // where it has black
+  std::array<Count, mostParts> beside{};       // of ring, gap and centre
 };
 
 // Whether ring, gap and centre are what they should be beside a part of so many, to a quarter of a sector.
@@ -221,8 +221,8 @@ void WordEvidence::leaveOutUnexplained(CyclicCode::Word word, SeenParts &seen) c
 {
   const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
   const std::uint64_t bits = extended(word, m_sectors);
-  std::array<Count, mostSamples> onRing{};
-  std::array<Count, mostSamples> onTrack{};
+  std::array<Count, mostParts> onRing{};
+  std::array<Count, mostParts> onTrack{};
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const Explained &placed = m_explained[i];
     const bool isOnTrack = pixels[i].track > 2. * m_slack;

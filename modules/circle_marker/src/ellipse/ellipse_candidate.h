@@ -63,6 +63,13 @@ struct EllipseCandidate
 */
 constexpr double wellFound = 0.9;
 
+/*! Whether so little of an outline is found that something may cover a part of it. */
+inline bool isPartMissing(double support)
+{
+  constexpr double leastSupportOfWhole = 0.9;
+  return support < leastSupportOfWhole;
+}
+
 /*! The order in which outlines are looked at: the largest first. */
 inline bool comesBefore(const EllipseCandidate &p, const EllipseCandidate &q)
 {

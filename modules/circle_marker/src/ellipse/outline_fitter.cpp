@@ -133,6 +133,12 @@ void keepNear(EllipseCandidate &candidate)
   candidate.support *= static_cast<double>(end - points.begin()) / static_cast<double>(points.size());
   points.erase(end, points.end());
 }
+
+// Whether an ellipse is no larger than one that an image can show a piece of and still hold its centre, or nearly.
+bool isWithinReach(const EllipseCandidate &candidate, const vpImage<unsigned char> &I)
+{
+  return candidate.ellipse.a <= I.getWidth() + I.getHeight();
+}
 } // namespace
 
 double fitToleranceOf(const EllipseParameters &ellipse)
@@ -151,8 +157,7 @@ EllipseReject OutlineFitter::fit(const vpImage<unsigned char> &I, const Gradient
 {
   candidate.isThin = false;
   // A whole outline is fitted well enough at once; an arc's direct fit is too small.
-  if (!fitPoints(points, count, candidate, isWhole ? directFit : roughFit) ||
-      candidate.ellipse.a > I.getWidth() + I.getHeight()) {
+  if (!fitPoints(points, count, candidate, isWhole ? directFit : roughFit) || !isWithinReach(candidate, I)) {
     return EllipseReject::NOT_AN_ELLIPSE;
   }
   // The centre of an ellipse is known as soon as half of it is.
@@ -351,12 +356,15 @@ bool OutlineFitter::fitMost(const EdgePoint *points, std::size_t count, EllipseC
 EllipseReject OutlineFitter::complete(const vpImage<unsigned char> &I, const Gradient &gradient,
                                       const SoughtCenters &sought, EllipseCandidate &candidate)
 {
+  const auto fitsFound = [&]() {
+    return fitPoints(candidate.points.data(), candidate.points.size(), candidate) && isWithinReach(candidate, I);
+  };
   // The first search forgives the extrapolation of an arc, the second only the noise.
   searchOutline(gradient, candidate, onOutline + 0.08 * candidate.ellipse.b, mostFirstSamples);
   if (candidate.support < 0.5 * leastSupport) {
     return EllipseReject::LITTLE_SUPPORT;
   }
-  if (!fitPoints(candidate.points.data(), candidate.points.size(), candidate)) {
+  if (!fitsFound()) {
     return EllipseReject::NOT_AN_ELLIPSE;
   }
   if (!hasSoughtCenter(I, candidate.points.data(), candidate.points.size(), candidate.ellipse.center, sought)) {
@@ -367,7 +375,7 @@ EllipseReject OutlineFitter::complete(const vpImage<unsigned char> &I, const Gra
     if (candidate.support < 0.5 * leastSupport) {
       return EllipseReject::LITTLE_SUPPORT;
     }
-    if (!fitPoints(candidate.points.data(), candidate.points.size(), candidate)) {
+    if (!fitsFound()) {
       return EllipseReject::NOT_AN_ELLIPSE;
     }
   }
@@ -380,7 +388,7 @@ EllipseReject OutlineFitter::complete(const vpImage<unsigned char> &I, const Gra
     return EllipseReject::BAD_FIT;
   }
   candidate.contrast = medianContrast(I, candidate);
-  if (candidate.contrast < 0.25 * gradient.startAt) { // the step of an edge that starts a chain
+  if (candidate.contrast < gradient.startAt / sobelStepGain) { // the step of an edge that starts a chain
     return EllipseReject::NOT_DARK_INSIDE;
   }
   return EllipseReject::NONE;

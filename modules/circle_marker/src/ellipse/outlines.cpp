@@ -33,23 +33,6 @@ constexpr std::size_t shortestChain = 14;
 constexpr double leastReducedSemiMinor = 4.;
 constexpr unsigned int leastReducedSide = 16;
 
-// Rows of the image that a thread takes at once.
-constexpr int rowsAtOnce = 64;
-
-// The gradient of an image, its rows shared among the threads.
-void computeGradient(const vpImage<unsigned char> &I, NoiseSource noise, Workers &workers, const Deadline &deadline,
-                     Gradient &gradient)
-{
-  prepareGradient(I, gradient, noise);
-  const int bands = (gradient.height + rowsAtOnce - 1) / rowsAtOnce;
-  workers.run(static_cast<std::size_t>(bands), [&](std::size_t band, unsigned int) {
-    const int first = static_cast<int>(band) * rowsAtOnce;
-    if (!deadline.hasPassed()) {
-      computeGradientRows(I, first, std::min(first + rowsAtOnce, gradient.height), gradient);
-    }
-  });
-}
-
 // Every pixel of the half is the mean of four; an odd last row or column is left out.
 void halve(const vpImage<unsigned char> &I, vpImage<unsigned char> &half)
 {
@@ -164,7 +147,7 @@ const ReusedList<EllipseCandidate> &findOutlines(const vpImage<unsigned char> &I
                                                  NoiseSource noise)
 {
   OutlineMemory::Scale &full = memory.full;
-  computeGradient(I, noise, workers, deadline, full.gradient);
+  computeGradient(I, full.gradient, workers, deadline, noise);
   workers.run(2, [&](std::size_t part, unsigned int) {
     if (part == 0) {
       linkEdgeChains(full.gradient, shortestChain, full.chains, deadline);

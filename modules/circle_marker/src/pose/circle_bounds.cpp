@@ -23,13 +23,18 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 ImageBounds boundsOfCircle(const MarkerPlane &plane, const CameraModel &camera, double radius, int points)
 {
-  const Eigen::Vector2d center = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
-  ImageBounds bounds = {center, center};
+  ImageBounds bounds = {Eigen::Vector2d(HUGE_VAL, HUGE_VAL), Eigen::Vector2d(-HUGE_VAL, -HUGE_VAL)};
+  const auto add = [&](const Eigen::Vector2d &q) {
+    const Eigen::Vector2d p = camera.toPixel(plane.project(q));
+    if (p.allFinite()) { // a lens does not show all of the space in front of it
+      bounds.least = bounds.least.cwiseMin(p);
+      bounds.most = bounds.most.cwiseMax(p);
+    }
+  };
+  add(Eigen::Vector2d::Zero());
   for (int i = 0; i < points; ++i) {
     const double angle = 2. * M_PI * i / points;
-    const Eigen::Vector2d p = camera.toPixel(plane.project(radius * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
-    bounds.least = bounds.least.cwiseMin(p);
-    bounds.most = bounds.most.cwiseMax(p);
+    add(radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
   return bounds;
 }

@@ -113,6 +113,17 @@ struct MarkerPlane
     return (flat - camera.head<2>()) / -camera.z();
   }
 
+  /*! Whether the print's front is seen, and the camera is not nearly on it. */
+  bool showsFront() const { return center.z() > 0.1 * radius && rotation.col(2).dot(center) > 0.; }
+
+  /*! The same pose of a flat sheet. */
+  MarkerPlane flattened() const
+  {
+    MarkerPlane flat = *this;
+    flat.bend = SheetBend();
+    return flat;
+  }
+
   /*! Turns the marker about its normal, rad, positive from x to y. */
   void spin(double angle)
   {

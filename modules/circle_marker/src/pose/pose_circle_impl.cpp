@@ -124,8 +124,8 @@ void vpPoseCircle::Impl::addPoints(const std::vector<Eigen::Vector2d> &points)
       refuse("a contour point is not finite");
     }
   }
+  m_points.insert(m_points.end(), points.begin(), points.end()); // or nothing, and then the ellipse stays
   m_ellipse.reset();
-  m_points.insert(m_points.end(), points.begin(), points.end());
 }
 
 CenteredEllipse vpPoseCircle::Impl::ellipse() const

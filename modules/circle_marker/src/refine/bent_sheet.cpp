@@ -76,6 +76,9 @@ RankedFits fitBent(const std::vector<FitPixel> &pixels, const RankedFits &fits, 
   RankedFits ranked = rank(pixels, pattern, true, bent, fitter);
   const auto isFlat = [](const FittedPose &fit) { return !fit.plane.bend.isAny(); };
   FittedPose *const last = std::find_if(ranked.fits.begin(), ranked.fits.end(), isFlat);
+  if (last == ranked.fits.end()) {
+    return flat; // the rival's start was bent, and there is nothing to compare with
+  }
   const FittedPose &best = ranked.fits[0];
   const double gain = (last->squares - best.squares) / (2. * ranked.noise * ranked.noise);
   const bool isCoherent = best.coherence > std::max(mostCoherence * rival.coherence, 1.);

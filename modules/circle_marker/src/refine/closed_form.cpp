@@ -55,7 +55,6 @@ constexpr double leastBlur = 1.2;
 constexpr double blurSlack = 1.3;
 // What covers a part of the outline draws the points beside it along, a part of it or another, by this, pixels.
 constexpr double byCover = 0.5;
-constexpr double leastSupportOfWhole = 0.9; // as isPartMissing() has it
 
 // Blur across the outline, pixels: an edge of the step h blurred by sigma is h / (sqrt(2 pi) sigma) steep. The median
 // of some points.
@@ -101,7 +100,7 @@ public:
     m_columns[1] += nearTo(m_layout.quietZone * height) * byShift;
     m_columns[2] += nearTo((1. - m_layout.ringInner) * height) * byShift;
     m_columns[3] += 0.5 * m_blur * m_blur * std::min(curvature, 1. / m_blur) * byShift;
-    if (m_outline.support < leastSupportOfWhole) {
+    if (isPartMissing(m_outline.support)) {
       const Eigen::Vector2d from = point.position - ellipse.center;
       m_columns[from.x() > 0. ? (from.y() > 0. ? 4 : 5) : (from.y() > 0. ? 6 : 7)] += byCover * byShift;
     }

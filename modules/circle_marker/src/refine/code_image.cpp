@@ -42,8 +42,6 @@ constexpr double leastShare = 1e-3;
 // contrast.
 constexpr double mostHidden = 0.1;
 
-constexpr double fullTurn = 2. * M_PI;
-
 // The side of a circle about the centre that is nearer to it. Its curvature takes from what is inside: image_model.h.
 BlurredEdge insideOf(double radius, const PlanePoint &point)
 {
@@ -180,7 +178,7 @@ private:
     if (contrast <= 0.) {
       return std::nullopt;
     }
-    const bool isHidden = light > brightestTold && grey > brightestTold;
+    const bool isHidden = light > brightestTold && mayBeTooBright(grey);
     return SeenLight{(isHidden ? light : grey) / light, brightestTold / light, contrast,
                      isHidden && light - brightestTold > mostHidden * contrast};
   }

@@ -21,6 +21,7 @@
 #include <array>
 #include <cmath>
 
+#include "pose/circle_bounds.h"
 #include "refine/surround_share.h"
 
 BEGIN_VISP_NAMESPACE
@@ -56,13 +57,9 @@ Box boundingBox(const vpImage<unsigned char> &I, const CameraModel &camera, cons
   Eigen::Vector2d least(HUGE_VAL, HUGE_VAL);
   Eigen::Vector2d most = -least;
   for (std::size_t i = 0; i < count; ++i) {
-    for (int k = 0; k < directions; ++k) {
-      const double angle = 2. * M_PI * k / directions;
-      const Eigen::Vector2d p =
-          camera.toPixel(planes[i].project(1.01 * radius * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
-      least = least.cwiseMin(p);
-      most = most.cwiseMax(p);
-    }
+    const ImageBounds bounds = boundsOfCircle(planes[i], camera, 1.01 * radius, directions);
+    least = least.cwiseMin(bounds.least);
+    most = most.cwiseMax(bounds.most);
   }
   const auto inside = [](double value, int limit) {
     return static_cast<int>(std::clamp(value, 0., static_cast<double>(limit)));

@@ -40,7 +40,8 @@ MarkerPlane turnedTo(const MarkerPlane &plane, const Eigen::Vector3d &normal)
 
 double meterPerPixelAt(const MarkerPlane &plane, const CameraModel &camera)
 {
-  return camera.meterPerPixel(camera.toPixel(plane.project(Eigen::Vector2d::Zero()))).col(0).norm();
+  const Eigen::Vector2d pixel = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
+  return std::sqrt(std::abs(camera.meterPerPixel(pixel).determinant()));
 }
 
 Few<FitStart> startsOf(const PosePair &poses, const CameraModel &camera, bool spinIsKnown, bool mayMove)

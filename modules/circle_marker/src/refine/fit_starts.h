@@ -38,7 +38,7 @@ Few<FitStart> startsOf(const PosePair &poses, const CameraModel &camera, bool sp
 /*! The pose that looks nearly the same: its normal on the other side of the line of sight. */
 MarkerPlane mirrored(const MarkerPlane &plane);
 
-/*! Size of a pixel at the marker's centre, normalised coordinates. */
+/*! Size of a pixel at the marker's centre, normalised coordinates: the side of a square of its area. */
 double meterPerPixelAt(const MarkerPlane &plane, const CameraModel &camera);
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -98,11 +98,6 @@ bool isAlike(const Photometry &p, const Photometry &q)
          std::abs(p.blur.sigma - q.blur.sigma) < nearLight * p.blur.sigma;
 }
 
-bool isVisible(const MarkerPlane &plane)
-{
-  return plane.center.z() > plane.radius * 0.1 && plane.rotation.col(2).dot(plane.center) > 0.;
-}
-
 bool isPrint(const Photometry &photometry)
 {
   return photometry.light > 0. && photometry.absorption > 0.;

@@ -40,9 +40,6 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
 /*! Whether light and blur are so much alike that the equations' matrix of one serves for the other. */
 bool isAlike(const Photometry &p, const Photometry &q);
 
-/*! Whether the marker faces the camera and lies in front of it. */
-bool isVisible(const MarkerPlane &plane);
-
 /*! Whether paper is lit and ink darker: the negative of a marker is none, however well it correlates. */
 bool isPrint(const Photometry &photometry);
 } // namespace CIRCLE_MARKER_LANES

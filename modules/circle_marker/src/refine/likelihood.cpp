@@ -263,8 +263,8 @@ double Likelihood::priorCost(const MarkerPlane &plane, const Photometry &photome
   return noise * noise * cost;
 }
 
-// Priors on gamma and spread; parameters that are not fitted are taken out of the equations, and a 1 on the diagonal
-// keeps these solvable.
+// Priors on all that other pictures tell of light, ink, blur and paper; parameters that are not fitted are taken out of
+// the equations, and a 1 on the diagonal keeps these solvable.
 void Likelihood::constrain(const MarkerPlane &plane, const Photometry &photometry, double noise,
                            Equations &equations) const
 {

@@ -31,13 +31,11 @@
 
 #include "refine/image_model.h"
 #include "refine/maximum_likelihood.h"
+#include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
-/*! Noise of rounding to whole grey levels: no picture has less. */
-constexpr double quantisation = 0.2887;
-
 /*! Normal equations of one pass over the pixels. */
 struct Equations
 {

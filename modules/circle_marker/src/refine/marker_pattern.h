@@ -33,8 +33,7 @@ namespace circle_marker {
 /*! An edge between white and black that is a circle about the marker's centre. */
 struct RadialEdge
 {
-  double radius;    //!< In units of the ring's outer radius.
-  double blackSide; //!< 1 if black is inside the circle, -1 if it is outside.
+  double radius; //!< In units of the ring's outer radius.
 };
 
 /*! What is printed: black between radii, and black sectors of the code track. Unit: the ring's outer radius. */
@@ -88,19 +87,19 @@ struct MarkerPattern
   The pattern of a marker.
   \param family : Family of the marker.
   \param id : Identity; not used without a code.
-  \param ringInner : Inner radius of the ring, for a ring whose ratio was measured.
 */
-inline MarkerPattern patternOf(const vpCircleMarkerFamily &family, int id, double ringInner)
+inline MarkerPattern patternOf(const vpCircleMarkerFamily &family, int id)
 {
   MarkerPattern pattern;
+  const double ringInner = family.getLayout().ringInner; // 0 of a disc
   const double paper = 1. + family.getLayout().quietZone;
   pattern.paper = {PaperEnd{PaperShape::ROUND, paper, 0.}, PaperEnd{PaperShape::SQUARE, paper, 0.}};
-  pattern.ring[pattern.ringEdges++] = {1., 1.};
+  pattern.ring[pattern.ringEdges++] = {1.};
   if (ringInner > 0.) {
-    pattern.ring[pattern.ringEdges++] = {ringInner, -1.};
+    pattern.ring[pattern.ringEdges++] = {ringInner};
   }
   if (family.isCoded()) {
-    pattern.track = {RadialEdge{family.getLayout().codeOuter, 1.}, RadialEdge{family.getLayout().codeInner, -1.}};
+    pattern.track = {RadialEdge{family.getLayout().codeOuter}, RadialEdge{family.getLayout().codeInner}};
     pattern.sectors = family.getNbSectors();
     pattern.setWord(family.getCodeword(id));
     for (unsigned int k = 0; k < pattern.sectors; ++k) {

@@ -137,7 +137,7 @@ double MaskFit::residualOf(const RingSample &sample, const Vector &theta, Vector
       -contrast * sharp.byScale + theta[CONTRAST_TIMES_AMOUNT] * wide.byScale * blur * blur / (wider * wider),
       theta[CONTRAST_TIMES_AMOUNT] * wide.byScale * sigma * sigma / (wider * wider);
   const double residual = sample.grey - row.head<linear>().dot(theta.head<linear>());
-  if ((sample.grey >= brightestTold && residual < 0.) || (sample.grey <= darkestTold && residual > 0.)) {
+  if ((mayBeTooBright(sample.grey) && residual < 0.) || (mayBeTooDark(sample.grey) && residual > 0.)) {
     row.setZero();
     return 0.;
   }

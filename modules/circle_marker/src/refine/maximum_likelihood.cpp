@@ -115,7 +115,7 @@ public:
     if (isEnd(*trial)) {
       return end(*trial);
     }
-    if (isVisible(trial->plane) && isPrint(trial->photometry) && isTaken(*trial)) {
+    if (trial->plane.showsFront() && isPrint(trial->photometry) && isTaken(*trial)) {
       // While the noise comes down, all residuals are outliers to the rival's: their cost tells nothing.
       if (m_descent.isDown() && m_race.isLost(m_likelihood, trial->plane, trial->photometry)) {
         return FitState::ENDED;

@@ -59,6 +59,10 @@ constexpr double leastCorrelationWithAnyGamma = 0.99;
 // as if around a bucket, or by a light that ends on the marker: the spread in outer radii, and the coefficients of
 // SheetBend.
 constexpr double mostSpread = 0.03;
+// Of a plain ring: ink spreads by some 0.1 mm, 0.003 radii of a small marker; and edges are known to a part of their
+// blur, as it is hardly ever a Gaussian.
+constexpr double mostSpreadOfRing = 0.01;
+constexpr double mostOfBlur = 0.3;
 constexpr double mostBend = 0.12;
 // And by a blur as wide as the marker: its standard deviation in outer radii. That of a motion or a disc of half a
 // radius is less than a third of this.
@@ -74,14 +78,6 @@ constexpr double leastHopelessSize = 20.;
 // Fits from the mirrored pose of the best, at most: the first may become the best, and its own mirrored pose is stuck.
 constexpr int mostTwins = 2;
 
-// Whether a ring has the design's ratio of radii, whatever the first look at it said: it fits, and black is not larger
-// or smaller than printers and cameras make it.
-bool isRightRing(const RankedFits &ranked)
-{
-  return !ranked.fits.empty() && ranked.fits[0].correlation >= leastCorrelationWithoutCode &&
-         std::abs(std::log(ranked.fits[0].photometry.gamma)) < mostLogGamma;
-}
-
 // Whether the sheet may be bent, as far as the fit can tell: where too much is covered a bend explains what covers it.
 bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
 {
@@ -89,7 +85,7 @@ bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
   return isMostlySeen && !marker.darkness && pattern.sectors > 0;
 }
 
-// The coarse fits; of the ring as designed, or else as it was seen: then the pattern is that of it.
+// The coarse fits.
 RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &settings, MarkerPattern &pattern,
                        MeasureMemory &memory)
 {
@@ -98,11 +94,7 @@ RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &sett
   if (refine && mayHaveShadow(marker, pattern, few)) {
     few = withMissedShadow(view, pattern, few, settings, memory.pixels, memory.explained, *memory.fitter);
   }
-  if (marker.ringInner == marker.family.getLayout().ringInner || isRightRing(few)) {
-    return few;
-  }
-  pattern = patternOf(marker.family, marker.code.id, marker.ringInner);
-  return fitFewPixels(view, pattern, refine, settings, memory.pixels, *memory.fitter);
+  return few;
 }
 
 // The light that a measured ring tells, in the coordinates of a frame. That of a covered one has no shadow.
@@ -237,8 +229,8 @@ bool isExplained(const FittedPose &best, const MarkerInImage &view, bool hasCode
     return best.correlation >= leastCorrelationUnrefined && best.inliers >= leastInliers;
   }
   const double least = hasCode ? leastCorrelation : leastCorrelationWithoutCode;
-  // The fit of a ring to the sheet around it needs a gamma that no camera has. So does one with another ratio of radii
-  // than its own, but that one explains the image; and of small codes the gamma is hardly known.
+  // The fit of a ring to the sheet around it needs a gamma that no camera has. So do some rings, but those explain the
+  // image; and of small codes the gamma is hardly known.
   const bool isLikeCamera = hasCode || std::abs(std::log(best.photometry.gamma)) < mostLogGamma ||
                             best.correlation >= leastCorrelationWithAnyGamma;
   return best.correlation >= least && best.inliers >= leastInliers && isLikeCamera && isPlausible(best, view);
@@ -306,11 +298,18 @@ ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera)
           plane.radius / (plane.center.z() * meterPerPixelAt(plane, camera))};
 }
 
+bool isOtherRing(const Recognition &marker, const FittedPose &fit, const CameraModel &camera)
+{
+  const BlurParameters &blur = fit.photometry.blur;
+  const double most = std::max(mostSpreadOfRing, mostOfBlur * blur.widest() / frameOf(fit.plane, camera).size);
+  return !marker.family.isCoded() && !marker.seen && std::abs(blur.spread) > most;
+}
+
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
                                    const Recognition &marker, bool refine, MeasureMemory &memory,
                                    const Deadline &deadline, const ImageNoise &noise)
 {
-  MarkerPattern pattern = patternOf(marker.family, marker.code.id, marker.family.getLayout().ringInner);
+  MarkerPattern pattern = patternOf(marker.family, marker.code.id);
   if (marker.darkness) {
     pattern.darkness = *marker.darkness;
   }

@@ -42,7 +42,7 @@ bool mayHaveShadow(const Recognition &marker, const MarkerPattern &pattern, cons
     return false;
   }
   const Photometry &photometry = few.fits[0].photometry;
-  return unexplainedBy(few.fits[0]) > muchUnexplained * photometry.contrast() * photometry.light;
+  return unexplainedBy(few.fits[0]) > muchUnexplained * photometry.tellableContrast();
 }
 
 RankedFits withMissedShadow(const MarkerInImage &view, const MarkerPattern &pattern, const RankedFits &few,

@@ -12,7 +12,7 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * From pixels to the marker's plane, eight at a time.
+ * From pixels to the marker's plane, a vector of them at a time.
  */
 
 #include "refine/plane_lanes.h"

@@ -12,7 +12,7 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * The work on lanes, compiled for AVX2 and FMA.
+ * The work on lanes, compiled for AVX-512.
  */
 
 #ifndef VP_CIRCLE_MARKER_WIDEST_LANES_H

@@ -27,6 +27,7 @@
 
 #include "segment/image_noise.h"
 #include "support/deadline.h"
+#include "support/workers.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -36,6 +37,9 @@ namespace circle_marker {
 */
 constexpr int rowsBetweenStarts = 2;
 constexpr int firstStartRow = 1;
+
+/*! Sobel gradient of a sharp step of one grey level. */
+constexpr double sobelStepGain = 4.;
 
 /*! Gradient at a pixel. */
 struct GradientVector
@@ -84,17 +88,15 @@ enum class NoiseSource
   KNOWN  //!< Gradient::noise has it already: a region of an image is too small to tell.
 };
 
-/*! Makes room for the gradient of an image and sets its thresholds by the image's noise. */
-void prepareGradient(const vpImage<unsigned char> &I, Gradient &gradient, NoiseSource noise = NoiseSource::IMAGE);
-
-/*! Fills the rows of the gradient from \e firstRow to before \e endRow, after prepareGradient(). */
-void computeGradientRows(const vpImage<unsigned char> &I, int firstRow, int endRow, Gradient &gradient);
-
 /*!
-  Fills \e gradient from \e I. Its memory is used again from call to call. After the deadline the rest stays zero.
+  Fills \e gradient from \e I. Its memory is used again from call to call. What is not done by the deadline is zero.
 */
 void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient, const Deadline &deadline = Deadline(),
                      NoiseSource noise = NoiseSource::IMAGE);
+
+/*! The same, its rows shared among threads. */
+void computeGradient(const vpImage<unsigned char> &I, Gradient &gradient, Workers &workers, const Deadline &deadline,
+                     NoiseSource noise);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

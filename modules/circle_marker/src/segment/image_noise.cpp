@@ -118,7 +118,7 @@ std::optional<Block> blockAt(const vpImage<unsigned char> &I, unsigned int top, 
     quarters[upper] += halves[0];
     quarters[upper + 1] += halves[1];
   }
-  if (least < darkestTold || most > brightestTold) {
+  if (mayBeTooDark(least) || mayBeTooBright(most)) {
     return std::nullopt;
   }
   const auto square = [](int number) { return static_cast<double>(number) * number; };

@@ -36,7 +36,6 @@ public:
   Judged(vpCircleMarkerReject reason, T refused) : m_value(std::move(refused)), m_reason(reason) {}
 
   explicit operator bool() const { return m_reason == vpCircleMarkerReject::NONE; }
-  bool has_value() const { return static_cast<bool>(*this); }
   const T &operator*() const { return *m_value; }
   T &operator*() { return *m_value; }
   const T *operator->() const { return &*m_value; }

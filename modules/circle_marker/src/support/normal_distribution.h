@@ -47,11 +47,11 @@ public:
 
   Value at(double x) const
   {
+    if (!(x > -bound)) { // nor is it a number
+      return {0., 0.};
+    }
     if (x >= bound) {
       return {1., 0.};
-    }
-    if (x <= -bound) {
-      return {0., 0.};
     }
     const double position = (x + bound) * perUnit;
     const auto cell = static_cast<std::size_t>(position);

@@ -25,6 +25,21 @@ namespace circle_marker {
 /*! Grey levels from these on may have been cut off: noise takes one off what is. */
 constexpr double darkestTold = 1.;
 constexpr double brightestTold = 254.;
+
+/*! Whether paper may have been brighter than this grey level tells. */
+inline bool mayBeTooBright(double grey)
+{
+  return grey >= brightestTold;
+}
+
+/*! Whether ink may have been darker than it tells. */
+inline bool mayBeTooDark(double grey)
+{
+  return grey <= darkestTold;
+}
+
+/*! Standard deviation of the rounding to whole grey levels: 1 / sqrt(12). */
+constexpr double quantisation = 0.28867513459481287;
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
