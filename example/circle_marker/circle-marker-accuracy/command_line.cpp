@@ -35,8 +35,8 @@ Request parseCommandLine(int argc, const char *const argv[])
       "blur 0.5 to 1.2 pixels, contrast 60 to 190, error against the Cramer-Rao bound of each pose; honesty\n"
       "of covariance and log-odds. model: what the model does not know, one at a time and all at once.\n"
       "cells: the thesis's ranges of poses. apriltag: ViSP's AprilTag on the same sheet at the same poses.\n"
-      "Writes accuracy.csv (a row for each marker and method), accuracy.json (tables and targets), and the\n"
-      "tables to the standard output.",
+      "Writes accuracy.csv (a row for each marker and method, after lines with # that say of what), accuracy.json\n"
+      "(tables and targets), and the tables to the standard output.",
       "circle-marker-accuracy");
   auto *output = app.add_option("--output", settings.output, "Folder for the results; made unless it is there");
   auto *from = app.add_option("--from", settings.from, "Folder with earlier results to be taken instead of new ones")

@@ -53,8 +53,10 @@ constexpr int mostIterationsInDoubt = 12;
 constexpr double leastCorrelationInDoubt = 0.75;
 // A ring whose edges are explained only by a gamma beyond that of cameras is another ring; here, its logarithm.
 constexpr double mostLogGamma = 1.;
-// Unless it correlates by this: the sheet around a ring was taken for it with 0.98.
-constexpr double leastCorrelationWithAnyGamma = 0.99;
+// Unless it correlates by this (the sheet around a ring was taken for it with 0.98), and the gamma is not at its bound,
+// 3.3 or 0.3 (fit_step.cpp): in 20 pixels a ring of ratio 0.6 is explained by that of 0.8, blurred, with the largest.
+constexpr double leastCorrelationOfAnyGamma = 0.99;
+constexpr double anyLogGamma = 1.15;
 // What is no marker, teeth on a ring, stripes, is explained by ink that has run by millimetres, by a sheet that is bent
 // as if around a bucket, or by a light that ends on the marker: the spread in outer radii, and the coefficients of
 // SheetBend.
@@ -229,10 +231,12 @@ bool isExplained(const FittedPose &best, const MarkerInImage &view, bool hasCode
     return best.correlation >= leastCorrelationUnrefined && best.inliers >= leastInliers;
   }
   const double least = hasCode ? leastCorrelation : leastCorrelationWithoutCode;
-  // The fit of a ring to the sheet around it needs a gamma that no camera has. So do some rings, but those explain the
-  // image; and of small codes the gamma is hardly known.
-  const bool isLikeCamera = hasCode || std::abs(std::log(best.photometry.gamma)) < mostLogGamma ||
-                            best.correlation >= leastCorrelationWithAnyGamma;
+  // The fit of a ring to the sheet around it needs a gamma that no camera has. So do some small rings, of which it is
+  // hardly known, but those explain the image, and do not want more of it than they may have. Of small codes it is
+  // hardly known either.
+  const double logGamma = std::abs(std::log(best.photometry.gamma));
+  const double most = best.correlation >= leastCorrelationOfAnyGamma ? anyLogGamma : mostLogGamma;
+  const bool isLikeCamera = hasCode || logGamma < most;
   return best.correlation >= least && best.inliers >= leastInliers && isLikeCamera && isPlausible(best, view);
 }
 
