@@ -53,10 +53,12 @@ constexpr int mostIterationsInDoubt = 12;
 constexpr double leastCorrelationInDoubt = 0.75;
 // A ring whose edges are explained only by a gamma beyond that of cameras is another ring; here, its logarithm.
 constexpr double mostLogGamma = 1.;
-// Unless it correlates by this (the sheet around a ring was taken for it with 0.98), and the gamma is not at its bound,
-// 3.3 or 0.3 (fit_step.cpp): in 20 pixels a ring of ratio 0.6 is explained by that of 0.8, blurred, with the largest.
+// Unless it correlates by this (the sheet around a ring was taken for it with 0.98), and, below this radius, pixels,
+// the gamma is not at its bound, 3.3 or 0.3 (fit_step.cpp): in 20 pixels a ring of ratio 0.6 is explained by that of
+// 0.8, blurred, with the largest. Large rings at the image's border have any gamma (testDetectorReach).
 constexpr double leastCorrelationOfAnyGamma = 0.99;
 constexpr double anyLogGamma = 1.15;
+constexpr double leastSizeOfAnyGamma = 20.;
 // What is no marker, teeth on a ring, stripes, is explained by ink that has run by millimetres, by a sheet that is bent
 // as if around a bucket, or by a light that ends on the marker: the spread in outer radii, and the coefficients of
 // SheetBend.
@@ -235,8 +237,9 @@ bool isExplained(const FittedPose &best, const MarkerInImage &view, bool hasCode
   // hardly known, but those explain the image, and do not want more of it than they may have. Of small codes it is
   // hardly known either.
   const double logGamma = std::abs(std::log(best.photometry.gamma));
-  const double most = best.correlation >= leastCorrelationOfAnyGamma ? anyLogGamma : mostLogGamma;
-  const bool isLikeCamera = hasCode || logGamma < most;
+  const double ofSize = view.frame.size < leastSizeOfAnyGamma ? anyLogGamma : HUGE_VAL;
+  const bool isLikeCamera =
+      hasCode || logGamma < (best.correlation >= leastCorrelationOfAnyGamma ? ofSize : mostLogGamma);
   return best.correlation >= least && best.inliers >= leastInliers && isLikeCamera && isPlausible(best, view);
 }
 
