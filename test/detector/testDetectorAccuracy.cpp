@@ -174,9 +174,29 @@ TEST(DetectorAccuracy, ARingThatIsNotOfTheFamilyIsRefused)
     const double ratio = i % 2 == 0 ? uniform(random, 0.68, 0.76) : uniform(random, 0.85, 0.92);
     const vpHomogeneousMatrix truth = randomPose(random, uniform(random, 90., 140.), uniform(random, 0.1, 1.));
     vpImage<unsigned char> I = imageOf(vpSimulatedMarker::ring(size, ratio).setPose(truth), random);
-    found += detector.detect(I) ? 1 : 0;
+    std::vector<vpHomogeneousMatrix> cMo;
+    found += detector.detect(I, size, straightCamera(), cMo) ? 1 : 0;
   }
   EXPECT_EQ(found, 0);
+}
+
+// Without a camera edges of circles lie beside where the nominal one would show them, and the ratio is not asked: its
+// focal length is 640 pixels, that of these images 500.
+TEST(DetectorAccuracy, RingsAreFoundWithoutACamera)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::RING);
+  vpDetectorCircleMarker detector(family);
+  const vpCameraParameters cam(500., 500., 319.5, 239.5);
+  int found = 0;
+  for (int i = 0; i < 60; ++i) {
+    const vpHomogeneousMatrix shown = randomPose(random, uniform(random, 60., 160.), uniform(random, 0., 0.9));
+    vpHomogeneousMatrix truth = shown;
+    truth[2][3] *= cam.get_px() / focal; // at the same place of this camera's image
+    vpImage<unsigned char> I = imageOf(cam, {printed(family, -1).setPose(truth)}, random);
+    found += detector.detect(I) ? 1 : 0;
+  }
+  EXPECT_GE(found, 57); // 95 %
 }
 
 // On ground brighter than the paper the sheet is the larger dark thing around a bright one, and a ring of another ratio

@@ -79,7 +79,7 @@ void vpDetectorCircleMarker::Impl::detectBlack(const vpImage<unsigned char> &I, 
   m_workers.setCount(settings.threads);
   m_workspaces.resize(m_workers.getCount());
   const CameraModel camera(cam);
-  const Visit visit = {I, size, camera, deadline, m_outlines.full.gradient.noise};
+  const Visit visit = {I, size, camera, deadline, m_outlines.full.gradient.noise, false, 0., m_isCameraGuessed};
   m_inRegions.clear();
   m_hadRegions = false;
   if (!searchRegions(visit)) {
@@ -220,6 +220,7 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I)
 {
   checkImageSize(I);
   std::vector<vpHomogeneousMatrix> poses;
+  const Impl::GuessedCamera guess(*m_impl);
   return detect(I, unitSize, nominalCamera(I), poses);
 }
 

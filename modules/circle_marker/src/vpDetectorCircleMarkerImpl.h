@@ -54,6 +54,19 @@ public:
     bool mayBeBlurred = false;               //!< Whether it was read through a blur, or might have been.
   };
 
+  /*! As long as it lives detect() looks with a camera that is guessed. */
+  class GuessedCamera
+  {
+  public:
+    explicit GuessedCamera(Impl &impl) : m_impl(impl) { m_impl.m_isCameraGuessed = true; }
+    GuessedCamera(const GuessedCamera &) = delete;
+    GuessedCamera &operator=(const GuessedCamera &) = delete;
+    ~GuessedCamera() { m_impl.m_isCameraGuessed = false; }
+
+  private:
+    Impl &m_impl;
+  };
+
   void detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
               const circle_marker::Deadline &deadline);
 
@@ -118,7 +131,8 @@ private:
     const circle_marker::Deadline &deadline;
     const circle_marker::ImageNoise &noise; //!< Of the image: known after the first room.
     bool isSizeGiven = false;               //!< Whether all markers have that size, whatever the database says.
-    double haloError = 0.; //!< Of what the camera had sharpened: how well that is undone, share of the contrast.
+    double haloError = 0.;        //!< Of what the camera had sharpened: how well that is undone, share of the contrast.
+    bool isCameraGuessed = false; //!< Whether edges of circles may lie a little beside where it would show them.
   };
 
   void detectBlack(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
@@ -173,6 +187,7 @@ private:
                                                 const vpCircleMarkerFamily &family, const vpImage<unsigned char> &I);
   void keepSurroundings(const vpImage<unsigned char> &I);
 
+  bool m_isCameraGuessed = false;                     //!< By detect() without a camera.
   circle_marker::OutlineMemory m_outlines;            //!< Memory of the rooms up to the outlines.
   circle_marker::OutlineMemory m_regions;             //!< The same for regions of images.
   vpImage<unsigned char> m_region;                    //!< A region of the image.

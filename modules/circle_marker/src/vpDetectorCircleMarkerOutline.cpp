@@ -277,8 +277,8 @@ bool vpDetectorCircleMarker::Impl::measureRestored(const Visit &visit, const Ell
   }
   // Of the highest frequencies, by which it is measured.
   const ImageNoise noise = {visit.noise.sigma / (1. + mask->amount), visit.noise.sharing};
-  const Visit before = {workspace.restored, visit.size, visit.camera, visit.deadline, noise,
-                        visit.isSizeGiven,  mask->error};
+  const Visit before = {workspace.restored, visit.size,  visit.camera,         visit.deadline, noise,
+                        visit.isSizeGiven,  mask->error, visit.isCameraGuessed};
   Fit restoredFit;
   Found restored;
   if (!measureIn(before, outline, marker, workspace, restored, restoredFit) || restoredFit.halo > fit.halo) {
@@ -366,7 +366,8 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
       detection.ellipse.b < leastMeasuredRing) {
     return false;
   }
-  fit.isOtherRing = settings.refinePose && isOtherRing(marker, measurement->first, visit.camera);
+  fit.isOtherRing =
+      settings.refinePose && !visit.isCameraGuessed && isOtherRing(marker, measurement->first, visit.camera);
   fit.poses.push_back(measurement->first.plane);
   if (measurement->second) {
     fit.poses.push_back(measurement->second->plane);

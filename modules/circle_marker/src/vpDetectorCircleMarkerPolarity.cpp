@@ -54,6 +54,7 @@ void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, doubl
   inverse.settings = settings;
   inverse.database = database;
   inverse.keepsDebug = keepsDebug;
+  inverse.m_isCameraGuessed = m_isCameraGuessed;
   negate(I, m_negative);
   if (both) {
     detectBlack(I, size, cam, deadline);

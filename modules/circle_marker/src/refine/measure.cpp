@@ -55,7 +55,7 @@ constexpr double leastCorrelationInDoubt = 0.75;
 constexpr double mostLogGamma = 1.;
 // Unless it correlates by this (the sheet around a ring was taken for it with 0.98), and, below this radius, pixels,
 // the gamma is not at its bound, 3.3 or 0.3 (fit_step.cpp): in 20 pixels a ring of ratio 0.6 is explained by that of
-// 0.8, blurred, with the largest. Large rings at the image's border have any gamma (testDetectorReach).
+// 0.8, blurred, with the largest. Through a camera that is guessed large rings have any gamma.
 constexpr double leastCorrelationOfAnyGamma = 0.99;
 constexpr double anyLogGamma = 1.15;
 constexpr double leastSizeOfAnyGamma = 20.;
