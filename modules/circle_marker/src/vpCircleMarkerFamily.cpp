@@ -101,8 +101,9 @@ vpCircleMarkerFamily vpCircleMarkerFamily::fromName(const std::string &name)
 /*!
   A plain ring without a code.
 
-  \param ratio : Inner radius over outer radius, above 0 and below 1. It has to be that of the print: another one is
-  taken for another distance. The detector finds rings of 0.2 to 0.95.
+  \param ratio : Inner radius over outer radius, above 0 and below 1. It has to be that of the print: a ring of another
+  one is not found or, where blur and gamma hide the difference, in some 20 pixels, taken for one at another distance;
+  so is any that is off by less than 0.02. The detector finds rings of 0.2 to 0.95.
   \exception vpException::badValue : If the ratio is not between 0 and 1, both excluded.
 */
 vpCircleMarkerFamily vpCircleMarkerFamily::ring(double ratio)
