@@ -48,7 +48,8 @@ constexpr double mostSharing = 16.;
 // Noise that pixels share is more than what the Laplacians see by this factor: after demosaicing 1.6 to 4. In
 // photographs of cubes with letters all over, whose noise is independent, it was 1.5.
 constexpr double clearlyMore = 1.5;
-// And more than this, grey levels: on slopes without noise rounding makes waves of 0.29, but at edges it is independent.
+// And more than this, grey levels: on slopes without noise rounding makes waves of 0.29, but at edges it is
+// independent.
 constexpr double leastShared = 0.45;
 
 // Of noise that is independent from pixel to pixel.
