@@ -99,7 +99,7 @@ TEST(Identify, ErrorsAreCorrectedUpToTheSetting)
         settings.maximumHamming = allowed;
         settings.minimumMargin = 0.;
         const auto code = identify(reading, family, settings);
-        ASSERT_EQ(code.has_value(), errors <= allowed) << family.getName() << " " << errors << " of " << allowed;
+        ASSERT_EQ(static_cast<bool>(code), errors <= allowed) << family.getName() << " " << errors << " of " << allowed;
         if (code) {
           EXPECT_EQ(code->id, id);
           EXPECT_EQ(code->hamming, errors);
