@@ -104,12 +104,12 @@ bool gnuplot(const std::string &script)
   const bool isWritten = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
   return pclose(pipe) == 0 && isWritten;
 }
-} // namespace
 
 bool hasGnuplot()
 {
   return std::system("gnuplot --version >/dev/null 2>&1") == 0;
 }
+} // namespace
 
 void writePlot(const std::string &path, const std::vector<ServoStep> &steps, const ServoGoal &goal)
 {

@@ -50,12 +50,9 @@ void writeReport(const std::string &folder, const ServoGoal &goal, const ServoRe
 */
 void writePlot(const std::string &path, const std::vector<ServoStep> &steps, const ServoGoal &goal);
 
-/*! \return Whether gnuplot can be run. */
-bool hasGnuplot();
-
 /*!
   Makes the folder of a report, before the work that it is about.
-  \exception UsageError : If that is not possible, or gnuplot is not installed.
+  \exception vpException::ioError : If that is not possible.
 */
 void prepareReport(const std::string &folder);
 } // namespace tutorial
