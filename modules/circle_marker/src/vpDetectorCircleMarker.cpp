@@ -74,12 +74,13 @@ void putMessage(const vpCircleMarkerDetection &d, const vpCircleMarkerEntry *ent
   looked at on its own and what is chosen among them is chosen in their order: the results are the same.
 */
 void vpDetectorCircleMarker::Impl::detectBlack(const vpImage<unsigned char> &I, double size,
-                                               const vpCameraParameters &cam, const Deadline &deadline)
+                                               const vpCameraParameters &cam, bool isCameraGuessed,
+                                               const Deadline &deadline)
 {
   m_workers.setCount(settings.threads);
   m_workspaces.resize(m_workers.getCount());
   const CameraModel camera(cam);
-  const Visit visit = {I, size, camera, deadline, m_outlines.full.gradient.noise, false, 0., m_isCameraGuessed};
+  const Visit visit = {I, size, camera, deadline, m_outlines.full.gradient.noise, false, 0., isCameraGuessed};
   m_inRegions.clear();
   m_hadRegions = false;
   if (!searchRegions(visit)) {
@@ -220,8 +221,8 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I)
 {
   checkImageSize(I);
   std::vector<vpHomogeneousMatrix> poses;
-  const Impl::GuessedCamera guess(*m_impl);
-  return detect(I, unitSize, nominalCamera(I), poses);
+  constexpr bool isCameraGuessed = true;
+  return detectWith(I, unitSize, nominalCamera(I), isCameraGuessed, poses, nullptr, nullptr, nullptr);
 }
 
 /*!
@@ -247,10 +248,20 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I, double size
                                     std::vector<vpHomogeneousMatrix> *cMo_vec2, std::vector<double> *projErrors,
                                     std::vector<double> *projErrors2)
 {
+  constexpr bool isCameraGuessed = false;
+  return detectWith(I, size, cam, isCameraGuessed, cMo_vec, cMo_vec2, projErrors, projErrors2);
+}
+
+// What detect() does, with a camera or, in default of one, with a guess (see Impl::Visit).
+bool vpDetectorCircleMarker::detectWith(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
+                                        bool isCameraGuessed, std::vector<vpHomogeneousMatrix> &cMo_vec,
+                                        std::vector<vpHomogeneousMatrix> *cMo_vec2, std::vector<double> *projErrors,
+                                        std::vector<double> *projErrors2)
+{
   circle_marker::checkMarkerSize(size);
   checkImageSize(I);
   try {
-    m_impl->detect(I, size, cam, circle_marker::Deadline(static_cast<double>(m_timeout_ms)));
+    m_impl->detect(I, size, cam, isCameraGuessed, circle_marker::Deadline(static_cast<double>(m_timeout_ms)));
     fillOutputs(cMo_vec, cMo_vec2, projErrors, projErrors2);
   }
   catch (...) {

@@ -54,20 +54,7 @@ public:
     bool mayBeBlurred = false;               //!< Whether it was read through a blur, or might have been.
   };
 
-  /*! As long as it lives detect() looks with a camera that is guessed. */
-  class GuessedCamera
-  {
-  public:
-    explicit GuessedCamera(Impl &impl) : m_impl(impl) { m_impl.m_isCameraGuessed = true; }
-    GuessedCamera(const GuessedCamera &) = delete;
-    GuessedCamera &operator=(const GuessedCamera &) = delete;
-    ~GuessedCamera() { m_impl.m_isCameraGuessed = false; }
-
-  private:
-    Impl &m_impl;
-  };
-
-  void detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
+  void detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam, bool isCameraGuessed,
               const circle_marker::Deadline &deadline);
 
   std::optional<vpCircleMarkerDetection> measureAgain(std::size_t index, double size, const vpCameraParameters &cam);
@@ -135,7 +122,7 @@ private:
     bool isCameraGuessed = false; //!< Whether edges of circles may lie a little beside where it would show them.
   };
 
-  void detectBlack(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
+  void detectBlack(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam, bool isCameraGuessed,
                    const circle_marker::Deadline &deadline);
   void addInverse(Impl &inverse);
   void dropInsideOf(const Found &ring);
@@ -187,7 +174,6 @@ private:
                                                 const vpCircleMarkerFamily &family, const vpImage<unsigned char> &I);
   void keepSurroundings(const vpImage<unsigned char> &I);
 
-  bool m_isCameraGuessed = false;                     //!< By detect() without a camera.
   circle_marker::OutlineMemory m_outlines;            //!< Memory of the rooms up to the outlines.
   circle_marker::OutlineMemory m_regions;             //!< The same for regions of images.
   vpImage<unsigned char> m_region;                    //!< A region of the image.

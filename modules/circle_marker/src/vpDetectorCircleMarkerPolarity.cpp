@@ -39,12 +39,12 @@ void negate(const vpImage<unsigned char> &I, vpImage<unsigned char> &negative)
   are as others are; a detector of its own looks at it, so that each follows its own markers.
 */
 void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam,
-                                          const Deadline &deadline)
+                                          bool isCameraGuessed, const Deadline &deadline)
 {
   const bool both = settings.polarity == vpCircleMarkerPolarity::BOTH;
   if (settings.polarity == vpCircleMarkerPolarity::BLACK_ON_WHITE) {
     m_inverse.clear();
-    detectBlack(I, size, cam, deadline);
+    detectBlack(I, size, cam, isCameraGuessed, deadline);
     return;
   }
   if (m_inverse.empty()) {
@@ -54,12 +54,11 @@ void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, doubl
   inverse.settings = settings;
   inverse.database = database;
   inverse.keepsDebug = keepsDebug;
-  inverse.m_isCameraGuessed = m_isCameraGuessed;
   negate(I, m_negative);
   if (both) {
-    detectBlack(I, size, cam, deadline);
+    detectBlack(I, size, cam, isCameraGuessed, deadline);
   }
-  inverse.detectBlack(m_negative, size, cam, deadline);
+  inverse.detectBlack(m_negative, size, cam, isCameraGuessed, deadline);
   if (!both) {
     found.clear();
     detections.clear();

@@ -163,6 +163,9 @@ public:
 private:
   class Impl;
 
+  bool detectWith(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam, bool isCameraGuessed,
+                  std::vector<vpHomogeneousMatrix> &cMo_vec, std::vector<vpHomogeneousMatrix> *cMo_vec2,
+                  std::vector<double> *projErrors, std::vector<double> *projErrors2);
   void fillOutputs(std::vector<vpHomogeneousMatrix> &cMo_vec, std::vector<vpHomogeneousMatrix> *cMo_vec2,
                    std::vector<double> *projErrors, std::vector<double> *projErrors2);
 
