@@ -117,6 +117,32 @@ TEST(DetectorAccuracy, CovarianceIsTrue)
   EXPECT_LT(sum / count, 6. / 0.95 + slack);
 }
 
+TEST(DetectorAccuracy, CovarianceOfWhatFacesTheCamera)
+{
+  // The image tells the square of the lean from the line of sight: by the normal equations' covariance the mean is 11.
+  // The bounds are four standard deviations of the mean of some 100 squared distances, which have longer tails here.
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::RING);
+  vpDetectorCircleMarker detector(family);
+  detector.setZAlignedWithCameraAxis(true);
+  double sum = 0.;
+  int count = 0;
+  for (int i = 0; i < 300; ++i) {
+    const vpHomogeneousMatrix truth = randomPose(random, uniform(random, 25., 35.), uniform(random, 0., 0.009));
+    std::vector<vpHomogeneousMatrix> cMo, cMo2;
+    ASSERT_TRUE(
+        detector.detect(imageOf(printed(family, -1).setPose(truth), random), size, straightCamera(), cMo, &cMo2));
+    const Eigen::Vector3d normal = rotationOf(truth).col(2);
+    if (normal.dot(rotationOf(cMo[0]).col(2)) >= normal.dot(rotationOf(cMo2[0]).col(2))) {
+      sum += mahalanobis(truth, cMo[0], detector.getCovariance(0), 5);
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 80);
+  EXPECT_GT(sum / count, 3.);
+  EXPECT_LT(sum / count, 8.);
+}
+
 TEST(DetectorAccuracy, CovarianceOfSmallMarkersOnDarkGround)
 {
   // The blur reaches across the quiet zone, which is two pixels wide: what is thought of the paper's end, which moves

@@ -193,19 +193,18 @@ TEST(DetectorProgram, TrackingFindsTheSame)
 TEST(DetectorProgram, DebugWritesAPictureForEachRoom)
 {
   const fs::path folder = test::emptyFolder();
-  fs::create_directory(folder / "rooms");
   const test::Outcome outcome =
-      test::run(DETECTOR_PROGRAM, wide(widePicture, {"--json", "out.jsonl", "--debug", "rooms"}), folder);
+      test::run(DETECTOR_PROGRAM, wide(widePicture, {"--json", "out.jsonl", "--debug", "debug/rooms"}), folder);
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const std::vector<std::string> files = {"0000-1-segment-half.png", "0000-1-segment-quarter.png", "0000-1-segment.png",
                                           "0000-2-edges-half.png",   "0000-2-edges-quarter.png",   "0000-2-edges.png",
                                           "0000-3-ellipses.png",     "0000-4-decode.png",          "0000-5-poses.png",
                                           "0000-candidates.csv"};
-  EXPECT_EQ(test::filesIn(folder / "rooms"), files);
+  EXPECT_EQ(test::filesIn(folder / "debug" / "rooms"), files);
   const cv::Mat original = cv::imread(widePicture, cv::IMREAD_GRAYSCALE);
   for (const std::string &file : files) {
     if (file.find(".png") != std::string::npos) {
-      const cv::Mat picture = cv::imread((folder / "rooms" / file).string());
+      const cv::Mat picture = cv::imread((folder / "debug" / "rooms" / file).string());
       ASSERT_EQ(picture.size(), original.size()) << file;
       cv::Mat channels[3];
       cv::split(picture, channels);
@@ -213,7 +212,7 @@ TEST(DetectorProgram, DebugWritesAPictureForEachRoom)
     }
   }
   // Every line but those of the markers has a reason.
-  std::istringstream table(test::contentOf(folder / "rooms" / "0000-candidates.csv"));
+  std::istringstream table(test::contentOf(folder / "debug" / "rooms" / "0000-candidates.csv"));
   std::string line;
   std::getline(table, line);
   EXPECT_EQ(line, "reason,family,u,v,semi_axis_a,semi_axis_b,angle,points,id,hamming,margin");
@@ -224,5 +223,5 @@ TEST(DetectorProgram, DebugWritesAPictureForEachRoom)
   }
   EXPECT_EQ(markers, 2U);
   EXPECT_GT(others, 2U);
-  EXPECT_EQ(test::run(DETECTOR_PROGRAM, wide(widePicture, {"--debug", "no-such-folder"}), folder).status, 2);
+  EXPECT_EQ(test::run(DETECTOR_PROGRAM, wide(widePicture, {"--debug", "out.jsonl"}), folder).status, 1);
 }

@@ -17,6 +17,8 @@
 
 #include "pictures.h"
 
+#include <filesystem>
+
 #include <visp3/io/vpImageIo.h>
 
 #include "circle_marker/common/detection/image_source.h"
@@ -64,6 +66,7 @@ std::vector<Picture> simulatePictures(const Order &order)
 void save(const std::string &pattern, std::vector<Picture> &pictures)
 {
   const auto name = tutorial::NumberedName::parse(pattern);
+  tutorial::makeFolder(std::filesystem::path(pattern).parent_path(), "--save-views");
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     pictures[i].name = (*name)(static_cast<long>(i));
     tutorial::writeWhole(pictures[i].name,

@@ -20,6 +20,7 @@
 #include <algorithm>
 
 #include <visp3/core/vpException.h>
+#include <visp3/core/vpImageTools.h>
 
 #include "debug_record.h"
 
@@ -28,13 +29,11 @@ BEGIN_VISP_NAMESPACE
 using namespace circle_marker;
 
 namespace {
+// The part of an image in a box.
 void copyRegion(const vpImage<unsigned char> &I, const PixelBox &box, vpImage<unsigned char> &region)
 {
-  region.resize(static_cast<unsigned int>(box.height()), static_cast<unsigned int>(box.width()));
-  for (int y = 0; y < box.height(); ++y) {
-    const unsigned char *row = I[static_cast<unsigned int>(box.top + y)] + box.left;
-    std::copy(row, row + box.width(), region[static_cast<unsigned int>(y)]);
-  }
+  vpImageTools::crop(I, box.top, box.left, static_cast<unsigned int>(box.height()),
+                     static_cast<unsigned int>(box.width()), region);
 }
 
 bool isWithin(const Eigen::Vector2d &position, const vpImage<unsigned char> &I)

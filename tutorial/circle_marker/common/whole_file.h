@@ -12,7 +12,7 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Files that appear whole or not at all.
+ * Files that appear whole or not at all, and their folders.
  */
 
 #ifndef VP_TUTORIAL_WHOLE_FILE_H
@@ -77,6 +77,22 @@ inline void writeWhole(const std::string &path, const std::function<void(const s
     const std::string reason = error.message();
     fs::remove(temporary, error);
     throw cannotWrite(reason);
+  }
+}
+
+/*!
+  Makes a folder, and those it is in, unless it is there.
+  \param folder : Its path; nothing is done if it is empty.
+  \param option : Option of the command line that names another one.
+  \exception vpException::ioError : If it cannot be made.
+*/
+inline void makeFolder(const std::filesystem::path &folder, const std::string &option)
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
+    throw vpException(vpException::ioError, "the folder \"%s\" cannot be made; name another with %s", folder.c_str(),
+                      option.c_str());
   }
 }
 

@@ -35,15 +35,7 @@ constexpr std::size_t mostWaiting = 30;
 Recorder::Recorder(const std::string &pattern)
     : m_name(*NumberedName::parse(pattern)), m_poses((fs::path(pattern).parent_path() / "poses.jsonl").string())
 {
-  const fs::path folder = fs::path(pattern).parent_path();
-  std::error_code error;
-  if (!folder.empty()) {
-    fs::create_directories(folder, error);
-    if (!fs::is_directory(folder)) {
-      throw vpException(vpException::ioError, "the folder \"%s\" cannot be made; name another with --record",
-                        folder.c_str());
-    }
-  }
+  makeFolder(fs::path(pattern).parent_path(), "--record");
   if (fs::exists(m_name(0)) || fs::exists(m_poses)) {
     throw vpException(vpException::ioError, "\"%s\" is there already; record into an empty folder",
                       fs::exists(m_poses) ? m_poses.c_str() : m_name(0).c_str());

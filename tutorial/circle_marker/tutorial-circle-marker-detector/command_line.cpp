@@ -85,11 +85,11 @@ Request parseCommandLine(int argc, const char *const argv[])
   app.add_option("--overlay", order.overlay, "Pictures with what was found: a name, for sequences with a number, %04d");
   app.add_option("--debug", order.debug,
                  "Folder for pictures of what each room of the detector saw, with the reasons of what it refused, and "
-                 "tables of them; cpu_ms is then longer")
-      ->check(CLI::ExistingDirectory);
+                 "tables of them, made if needed; cpu_ms is then longer");
   app.add_flag("--display-off", displayOff, "Open no window; in the window a click goes on, a right click quits");
   app.footer("Lines have \"image\", \"width\", \"height\", \"cpu_ms\" (time of the process for detection and pose) and "
-             "\"markers\".\nA frame of a video is named video.mp4#12. An image that cannot be read is reported and has "
+             "\"markers\".\n\"cMo2\" and \"log_odds\" of a marker are null where it has one pose only.\nA frame of a "
+             "video is named video.mp4#12. An image that cannot be read is reported and has "
              "no line; the program then ends with 1.");
   if (!parse(app, argc, argv)) {
     return Request{std::nullopt, app.help()};

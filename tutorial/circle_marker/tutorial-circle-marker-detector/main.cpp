@@ -80,6 +80,7 @@ public:
     if (!order.json.empty()) {
       checkWritable(order.json);
     }
+    makeFolder(order.debug, "--debug");
     m_detector.setDebug(!order.debug.empty());
     if (order.display) {
       m_window.emplace("Circular markers", 10, 10);

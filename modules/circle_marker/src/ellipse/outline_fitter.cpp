@@ -52,6 +52,10 @@ constexpr int mostSamples = 128;
 constexpr int mostFirstSamples = 48;
 // Distance of an edge from a completed outline, pixels: its own noise, and what is left of the ellipse's error.
 constexpr double onOutline = 1.5;
+// What the ellipse of an arc may be off on the far side, share of the semi-axis b, and what is left of that once edges
+// all around are fitted, of the semi-axis a: by the lens, which bends an outline, more than by the fit.
+constexpr double reachOfArc = 0.08;
+constexpr double reachOfFit = 0.01;
 // Share of an ellipse's perimeter that an arc must have to be judged by its centre at once.
 constexpr double leastShareForCenter = 0.5;
 // Share of an ellipse's perimeter, by their pixels, that two arcs must have to be completed: three bars that cover a
@@ -60,6 +64,8 @@ constexpr double leastShareOfJoined = 0.13;
 // Share of an outline's points that is kept when it does not fit as a whole, and how often the choice is made again.
 constexpr double trimmedShare = 0.75;
 constexpr int trimmingPasses = 10;
+// It is made as long as the farthest point that is kept comes nearer by this share: after that the choice is the same.
+constexpr double leastTrimmed = 0.01;
 
 // Beyond its dark line a thin ring's quiet zone is brighter by this, grey levels and noise of a pixel: one standard
 // deviation of the difference of two interpolated samples. On grey ground a ring of 8 pixels shows 10 grey levels.
@@ -344,8 +350,7 @@ bool OutlineFitter::fitMost(const EdgePoint *points, std::size_t count, EllipseC
     if (!fitPoints(m_kept.data(), m_kept.size(), candidate)) {
       return false;
     }
-    // The farthest of those kept comes nearer while the choice improves.
-    if (std::abs(*bound - previous) < 0.01 * previous) {
+    if (std::abs(*bound - previous) < leastTrimmed * previous) {
       break;
     }
     previous = *bound;
@@ -360,7 +365,7 @@ EllipseReject OutlineFitter::complete(const vpImage<unsigned char> &I, const Gra
     return fitPoints(candidate.points.data(), candidate.points.size(), candidate) && isWithinReach(candidate, I);
   };
   // The first search forgives the extrapolation of an arc, the second only the noise.
-  searchOutline(gradient, candidate, onOutline + 0.08 * candidate.ellipse.b, mostFirstSamples);
+  searchOutline(gradient, candidate, onOutline + reachOfArc * candidate.ellipse.b, mostFirstSamples);
   if (candidate.support < 0.5 * leastSupport) {
     return EllipseReject::LITTLE_SUPPORT;
   }
@@ -371,7 +376,7 @@ EllipseReject OutlineFitter::complete(const vpImage<unsigned char> &I, const Gra
     return EllipseReject::OTHER_CENTER;
   }
   if (candidate.support < wellSupported) {
-    searchOutline(gradient, candidate, onOutline + 0.01 * candidate.ellipse.a, mostSamples);
+    searchOutline(gradient, candidate, onOutline + reachOfFit * candidate.ellipse.a, mostSamples);
     if (candidate.support < 0.5 * leastSupport) {
       return EllipseReject::LITTLE_SUPPORT;
     }

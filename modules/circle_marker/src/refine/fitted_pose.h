@@ -42,6 +42,9 @@ struct FittedPose
   double coherence = 1.;   //!< By how much parts of the print pull the pose apart more than noise does.
   double decrement = 0.;   //!< What another step would take off the squares, grey levels^2.
   double sharing = 1.;     //!< Number of pixels that share what is left of them (ImageNoise), as far as that is noise.
+  //! Information on the lean that its square gives, by that square, 1/rad^4; nothing unless the marker nearly faces the
+  //! camera (nearly_frontal.h).
+  std::optional<double> leanInformation;
   //! Of (t, w) in the camera frame, about the marker's centre, metres and radians.
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
 };

@@ -20,12 +20,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
 #include "refine/fit_conclusion.h"
 #include "refine/fit_preparation.h"
 #include "refine/fit_progress.h"
 #include "refine/fit_step.h"
 #include "refine/grey_model.h"
 #include "refine/likelihood.h"
+#include "refine/nearly_frontal.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -133,12 +137,48 @@ public:
 
   std::optional<FittedPose> finish()
   {
-    return conclude(m_likelihood, m_equations, m_lastStep, m_noise, m_settings, m_result)
-               ? std::optional<FittedPose>(m_result)
-               : std::nullopt;
+    if (!conclude(m_likelihood, m_equations, m_lastStep, m_noise, m_settings, m_result)) {
+      return std::nullopt;
+    }
+    if (m_settings.exactBends && isNearlyFrontal(m_result)) {
+      tellLeanInformation();
+    }
+    return m_result;
   }
 
 private:
+  // By how much more is known of a larger lean: by the equations of one at which the narrower side is closer to the
+  // middle by as much as leaves a pixel of its edge one and a half standard deviations.
+  void tellLeanInformation()
+  {
+    constexpr double mostResidual = 1.5;
+    const Photometry &light = m_result.photometry;
+    const double radius =
+        m_result.plane.radius / (m_result.plane.center.z() * m_memory.blocks.reference.unit);  // pixels
+    const double slope = light.tellableContrast() / (std::sqrt(2. * M_PI) * light.blur.sigma); // grey levels a pixel
+    const Eigen::Vector2d lean = leanOf(m_result.plane);
+    const double more =
+        4. * mostResidual * m_noise / (slope * radius); // an edge moves by a quarter of the lean's square
+    const Eigen::Vector2d along = lean.norm() > 0. ? Eigen::Vector2d(lean.normalized()) : Eigen::Vector2d::UnitX();
+    const MarkerPlane leaning = leaningBy(m_result.plane, std::sqrt(lean.squaredNorm() + more) * along);
+    const auto informationOf = [](const Equations &equations) {
+      Eigen::Matrix<double, Eigen::Dynamic, 2, 0, parameters, 2> columns(equations.used, 2);
+      columns.setZero();
+      columns(3, 0) = columns(4, 1) = 1.;
+      UsedMatrix(equations.matrix.topLeftCorner(equations.used, equations.used)).ldlt().solveInPlace(columns);
+      return Eigen::Matrix2d(columns.middleRows<2>(3).inverse());
+    };
+    const Eigen::Matrix2d here = informationOf(m_equations);
+    const Eigen::Matrix2d there = informationOf(m_likelihood.linearise(leaning, light, m_noise));
+    const Eigen::Matrix3d turned =
+        m_result.plane.rotation.transpose() * m_result.covariance.bottomRightCorner<3, 3>() * m_result.plane.rotation;
+    const double scale = turned.topLeftCorner<2, 2>().inverse().trace() / here.trace(); // by noise and coherence
+    const double byLean = 0.5 * scale * (there - here).trace() / more;
+    if (byLean > 0.) {
+      m_result.leanInformation = byLean;
+    }
+  }
+
   // Nothing if the equations are singular.
   std::optional<Trial> propose() const
   {

@@ -26,6 +26,7 @@
 #include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"
 #include "refine/missed_shadow.h"
+#include "refine/nearly_frontal.h"
 #include "refine/pose_odds.h"
 #include "refine/shadow.h"
 #include "refine/spin_search.h"
@@ -294,6 +295,11 @@ Measurement measurementOf(const RankedFits &ranked, const std::optional<GivenUp>
   else if (givenUp) {
     result.second = givenUp->fit;
     result.cost2 = result.cost + coherentOdds(givenUp->moreCost, fits[0], givenUp->fit, ranked.noise);
+  }
+  for (FittedPose *fit : {&result.first, result.second ? &*result.second : nullptr}) {
+    if (fit != nullptr && fit->leanInformation) {
+      fit->covariance = nearlyFrontalCovariance(*fit, result.second.has_value());
+    }
   }
   return result;
 }

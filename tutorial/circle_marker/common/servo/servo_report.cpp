@@ -24,7 +24,6 @@
 #include <visp3/core/vpImageConvert.h>
 #include <visp3/io/vpImageIo.h>
 
-#include "../arguments.h"
 #include "../draw.h"
 #include "../whole_file.h"
 
@@ -119,12 +118,7 @@ std::string servoTable(const std::vector<ServoStep> &steps)
 
 void prepareReport(const std::string &folder)
 {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder)) {
-    throw vpException(vpException::ioError, "the folder \"%s\" cannot be made; name another with --output",
-                      folder.c_str());
-  }
+  makeFolder(folder, "--output");
 }
 
 void writeReport(const std::string &folder, const ServoGoal &goal, const ServoRecord &record)
