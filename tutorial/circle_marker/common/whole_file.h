@@ -91,8 +91,8 @@ inline void makeFolder(const std::filesystem::path &folder, const std::string &o
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!folder.empty() && !std::filesystem::is_directory(folder, error)) {
-    throw vpException(vpException::ioError, "the folder \"%s\" cannot be made; name another with %s", folder.c_str(),
-                      option.c_str());
+    throw vpException(vpException::ioError, "the folder \"%s\" cannot be made; name another with %s",
+                      folder.string().c_str(), option.c_str());
   }
 }
 
