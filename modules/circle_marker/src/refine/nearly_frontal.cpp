@@ -149,6 +149,9 @@ Matrix6 nearlyFrontalCovariance(const FittedPose &fit, bool hasTwin)
       sum += weight;
     }
   }
+  if (!(sum > 0.)) { // the maximum is narrower than the grid: then it is as the equations have it
+    return fit.covariance;
+  }
   const Matrix6 others = covariance - follows * covariance.block<2, 2>(3, 3) * follows.transpose();
   return inMarkerFrame(others + moments / sum, fit.plane.rotation.transpose());
 }
