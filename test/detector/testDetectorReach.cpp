@@ -242,6 +242,13 @@ TEST(DetectorReach, RingsSeenNearlyFromTheSide)
   EXPECT_GE(foundOf({250., 400., 1.53, 1.54, 120., 220., vpCircleMarkerFamily::RING}, 40, random), 39);
 }
 
+// The sides of the ring and of its quiet zone are less than a pixel wide, and so is what the outline is off by there.
+TEST(DetectorReach, NarrowRingsOnDarkGround)
+{
+  Random random = randomOfTest();
+  EXPECT_GE(foundOf({75., 85., 1.45, 1.47, 10., 80., vpCircleMarkerFamily::RING}, 200, random), 184);
+}
+
 // Sectors are half as long again as pixels, but in such a blur and noise none of them can be told alone.
 TEST(DetectorReach, CodesInMuchBlurAndNoise)
 {

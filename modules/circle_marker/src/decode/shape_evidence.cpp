@@ -45,8 +45,8 @@ constexpr std::array<double, 3> blurs = {{usualBlur, 1.1, 1.4}};
 // How far beyond the quiet zone its surround is looked at, pixels: most of the blur is over.
 constexpr double lookBeyond = 1.5;
 // Where less than twice this share of the contrast is to be expected of the outer step, its absence does not tell:
-// noise of 2 % of the contrast, and the outline off by a tenth of a pixel, make as much.
-constexpr double stepInDoubt = 0.1;
+// noise of 2 % of the contrast, and the outline off by a sixth of a pixel, make as much.
+constexpr double stepInDoubt = 0.15;
 // Where the inside of a ring is read, of its inner radius, and a disc: past most of the blur, as far from the edge as
 // the print allows.
 constexpr double insideOfRing = 0.65;
