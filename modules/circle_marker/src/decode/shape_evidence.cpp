@@ -256,11 +256,11 @@ bool hasDarkRing(const vpImage<unsigned char> &I, const CameraModel &camera, con
   constexpr double paperRadius = 1.04;
   constexpr double ringRadius = 0.85;
   constexpr double least = 0.3; // of the usual step
-  // Directions that may have less; and where it is seen at more than 84 degrees: the far side of the ring is narrower
-  // than the blur then, and of slender things there are few.
+  // Directions that may have less; and where the marker is seen at more than 45 degrees: along the sides of its ellipse
+  // the blur leaves little of a quiet zone before dark ground, or of the far side of the ring.
   constexpr std::size_t mostLess = 3;
-  constexpr std::size_t mostLessAtSlant = 6;
-  constexpr double slant = 0.1; // cosine
+  constexpr std::size_t mostLessAtSlant = 8;
+  constexpr double slant = 0.7; // cosine
   Greys steps;
   for (std::size_t i = 0; i < directions; ++i) {
     const auto paper = bilinear(I, camera.toPixel(plane.project(onCircle(paperRadius, i))));
