@@ -101,6 +101,37 @@ TEST(CodeLikelihood, CodesAtGrazingAnglesAreReadWithTheirSpin)
   }
 }
 
+// And the ground beyond the sheet, which is as near as the other side's sectors.
+TEST(CodeLikelihood, TheGroundIsSeenFromANarrowTrack)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  double left = 0.; // of all
+  double leftAsIfPaperWentOn = 0.;
+  for (int i = 0; i < 20; ++i) {
+    const int id = static_cast<int>(random() % family.getNbIds());
+    const double minor = uniform(random, 4., 5.);
+    const double tilt = std::acos(minor / uniform(random, 24., 40.));
+    MarkerScene scene = markerScene(random, family, id, minor / std::cos(tilt), tilt, side);
+    scene.surround = 20.;
+    const vpImage<unsigned char> I = imageOf(scene, random);
+    FittedPose fit = fitOf(scene, 0.);
+    CodeImage track;
+    const CameraModel camera(scene.camera());
+    fit.photometry.surround = {{0., 1.}}; // the sheet is square
+    const auto code = mostLikelyCode(I, camera, fit, scene.frame(), family, track);
+    fit.photometry.surround = {{0., 0.}};
+    const auto asIfPaperWentOn = mostLikelyCode(I, camera, fit, scene.frame(), family, track);
+    ASSERT_TRUE(code && asIfPaperWentOn);
+    EXPECT_EQ(code->best.id, id) << "minor axis " << minor << " tilt " << tilt;
+    EXPECT_GT(code->odds, 25.) << "minor axis " << minor << " tilt " << tilt;
+    EXPECT_LT(code->unexplained, 1.) << "minor axis " << minor << " tilt " << tilt;
+    left += code->unexplained;
+    leftAsIfPaperWentOn += asIfPaperWentOn->unexplained;
+  }
+  EXPECT_GT(leftAsIfPaperWentOn, 2. * left);
+}
+
 // A word that is no codeword, nor near one, is not explained by any.
 TEST(CodeLikelihood, WhatIsNoCodewordIsNotExplained)
 {

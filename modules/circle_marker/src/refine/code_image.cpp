@@ -23,6 +23,7 @@
 #include <optional>
 
 #include "pose/circle_bounds.h"
+#include "refine/surround.h"
 #include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
@@ -125,14 +126,56 @@ struct SeenLight
   bool isTooBright; // whether the share is wrong by more than a little, because the sensor cannot tell it
 };
 
+// What the ground beyond the quiet zone does to the grey levels of pixels that see it: of an ellipse that is 6 pixels
+// wide the ground is seen from the code track. By its measured pose, light and ends of the paper (grey_model.h).
+class SeenGround
+{
+public:
+  SeenGround(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit,
+             const vpCircleMarkerLayout &layout)
+      : m_image(I), m_camera(camera), m_fit(fit), m_papers(papersAround(layout))
+  {
+  }
+
+  // Grey levels by which a pixel is brighter than if the paper went on. point: in units of the blur; white: grey level
+  // of white paper there.
+  double brightens(const PlanePoint &point, double white)
+  {
+    if (point.q.norm() < m_papers[0].extent - clearOfSurround * point.byPixel.norm()) {
+      return 0.;
+    }
+    if (!m_isLookedAt) {
+      for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+        m_surrounds[shape] =
+            surroundOf(m_image, m_camera, m_fit.plane, m_papers[shape], m_fit.photometry.blur.widest());
+      }
+      m_isLookedAt = true;
+    }
+    double more = 0.;
+    for (std::size_t shape = 0; shape < paperShapes; ++shape) {
+      const double beyond = m_surrounds[shape].grey[Surround::directionOf(point.q)];
+      more += m_fit.photometry.surround[shape] * shareBeyond(point, m_papers[shape], 1.).share * (beyond - white);
+    }
+    return more;
+  }
+
+private:
+  const vpImage<unsigned char> &m_image;
+  const CameraModel &m_camera;
+  const FittedPose &m_fit;
+  const PaperEnds m_papers;
+  std::array<Surround, paperShapes> m_surrounds;
+  bool m_isLookedAt = false; // most tracks see nothing of it
+};
+
 // Takes pixels into the image of a code.
 class CodePixels
 {
 public:
-  CodePixels(const CameraModel &camera, const FittedPose &fit, const ImageFrame &frame,
+  CodePixels(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit, const ImageFrame &frame,
              const vpCircleMarkerLayout &layout, int sectors, CodeImage &track)
       : m_camera(camera), m_fit(fit), m_frame(frame), m_layout(layout), m_sectors(sectors), m_track(track),
-        m_blur(fit.photometry.blur.sigma * fit.photometry.blur.shape())
+        m_blur(fit.photometry.blur.sigma * fit.photometry.blur.shape()), m_ground(I, camera, fit, layout)
   {
     m_track.pixels.clear();
     m_track.pieces.clear();
@@ -149,7 +192,7 @@ public:
     if (rims.outer.distance < -around || (rims.inner.distance > around && !isByLines)) {
       return true;
     }
-    const auto light = lightOf(pixel, grey);
+    const auto light = lightOf(pixel, point, grey);
     if (!light) {
       return false;
     }
@@ -171,7 +214,7 @@ public:
 
 private:
   // Nothing where there is none.
-  std::optional<SeenLight> lightOf(const Eigen::Vector2d &pixel, double grey) const
+  std::optional<SeenLight> lightOf(const Eigen::Vector2d &pixel, const PlanePoint &point, double grey)
   {
     const double light = m_fit.photometry.whiteAt((pixel - m_frame.center) / m_frame.size);
     const double contrast = light * m_fit.photometry.contrast();
@@ -179,7 +222,8 @@ private:
       return std::nullopt;
     }
     const bool isHidden = light > brightestTold && mayBeTooBright(grey);
-    return SeenLight{(isHidden ? light : grey) / light, brightestTold / light, contrast,
+    const double onPaper = (isHidden ? light : grey) - m_ground.brightens(point, light);
+    return SeenLight{onPaper / light, brightestTold / light, contrast,
                      isHidden && light - brightestTold > mostHidden * contrast};
   }
 
@@ -190,6 +234,7 @@ private:
   const int m_sectors;
   CodeImage &m_track;
   const Eigen::Matrix2d m_blur;
+  SeenGround m_ground;
   double m_squaredContrast = 0.;
 };
 } // namespace
@@ -205,7 +250,7 @@ bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, cons
   if (!isInside) {
     return false;
   }
-  CodePixels pixels(camera, fit, frame, layout, sectors, track);
+  CodePixels pixels(I, camera, fit, frame, layout, sectors, track);
   const auto left = static_cast<unsigned int>(least.x() - margin);
   const auto top = static_cast<unsigned int>(least.y() - margin);
   const unsigned int right = std::min(static_cast<unsigned int>(most.x() + margin) + 1, I.getWidth() - 1);

@@ -83,6 +83,13 @@ struct MarkerPattern
   }
 };
 
+/*! Where the white paper around a marker ends at the earliest: at the end of its quiet zone. */
+inline PaperEnds papersAround(const vpCircleMarkerLayout &layout)
+{
+  const double extent = 1. + layout.quietZone;
+  return {PaperEnd{PaperShape::ROUND, extent, 0.}, PaperEnd{PaperShape::SQUARE, extent, 0.}};
+}
+
 /*!
   The pattern of a marker.
   \param family : Family of the marker.
@@ -92,8 +99,7 @@ inline MarkerPattern patternOf(const vpCircleMarkerFamily &family, int id)
 {
   MarkerPattern pattern;
   const double ringInner = family.getLayout().ringInner; // 0 of a disc
-  const double paper = 1. + family.getLayout().quietZone;
-  pattern.paper = {PaperEnd{PaperShape::ROUND, paper, 0.}, PaperEnd{PaperShape::SQUARE, paper, 0.}};
+  pattern.paper = papersAround(family.getLayout());
   pattern.ring[pattern.ringEdges++] = {1.};
   if (ringInner > 0.) {
     pattern.ring[pattern.ringEdges++] = {ringInner};
