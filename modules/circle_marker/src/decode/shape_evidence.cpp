@@ -259,7 +259,7 @@ bool hasDarkRing(const vpImage<unsigned char> &I, const CameraModel &camera, con
   // Directions that may have less; and where the marker is seen at more than 45 degrees: along the sides of its ellipse
   // the blur leaves little of a quiet zone before dark ground, or of the far side of the ring.
   constexpr std::size_t mostLess = 3;
-  constexpr std::size_t mostLessAtSlant = 8;
+  constexpr std::size_t mostLessAtSlant = 7;
   constexpr double slant = 0.7; // cosine
   Greys steps;
   for (std::size_t i = 0; i < directions; ++i) {
