@@ -249,6 +249,13 @@ TEST(DetectorReach, NarrowRingsOnDarkGround)
   EXPECT_GE(foundOf({75., 85., 1.45, 1.47, 10., 80., vpCircleMarkerFamily::RING}, 200, random), 184);
 }
 
+// A quiet zone of a pixel beside dark ground: a dark ring does not show all around.
+TEST(DetectorReach, LongCodesAtASlantOnDarkGround)
+{
+  Random random = randomOfTest();
+  EXPECT_GE(foundOf({55., 65., 1.36, 1.4, 10., 110., vpCircleMarkerFamily::BCH31}, 200, random), 197);
+}
+
 // Sectors are half as long again as pixels, but in such a blur and noise none of them can be told alone.
 TEST(DetectorReach, CodesInMuchBlurAndNoise)
 {
