@@ -137,8 +137,8 @@ public:
   {
   }
 
-  // Grey levels by which a pixel is brighter than if the paper went on. point: in units of the blur; white: grey level
-  // of white paper there.
+  // Grey levels by which a pixel is brighter than if the paper went on, as it does where the image ends. point: in
+  // units of the blur; white: grey level of white paper there.
   double brightens(const PlanePoint &point, double white)
   {
     if (point.q.norm() < m_papers[0].extent - clearOfSurround * point.byPixel.norm()) {
@@ -151,10 +151,14 @@ public:
       }
       m_isLookedAt = true;
     }
+    const unsigned int direction = Surround::directionOf(point.q);
     double more = 0.;
     for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-      const double beyond = m_surrounds[shape].grey[Surround::directionOf(point.q)];
-      more += m_fit.photometry.surround[shape] * shareBeyond(point, m_papers[shape], 1.).share * (beyond - white);
+      const Surround &surround = m_surrounds[shape];
+      if (std::isfinite(surround.spread[direction])) {
+        more += m_fit.photometry.surround[shape] * shareBeyond(point, m_papers[shape], 1.).share *
+                (surround.grey[direction] - white);
+      }
     }
     return more;
   }
