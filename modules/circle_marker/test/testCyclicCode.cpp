@@ -95,8 +95,9 @@ TEST(CyclicCode, MinimumWeightIsTheMinimumDistance)
     std::set<Word> codewords;
     for (Word message = 0; message < (Word(1) << code.getDimension()); ++message) {
       const Word codeword = code.encode(message);
-      ASSERT_TRUE(code.contains(codeword));
-      ASSERT_TRUE(code.contains(code.rotate(codeword, 1)));
+      ASSERT_EQ(code.correct(codeword, 0), std::optional<Word>(codeword));
+      const Word turned = code.rotate(codeword, 1);
+      ASSERT_EQ(code.correct(turned, 0), std::optional<Word>(turned)) << "is a codeword, too";
       codewords.insert(codeword);
       if (codeword != 0) {
         minimumWeight = std::min(minimumWeight, hammingDistance(codeword, 0));

@@ -84,9 +84,6 @@ public:
     }
   }
 
-  /*! Whether a word of n bits belongs to the code (constant words may). */
-  bool contains(Word word) const { return syndrome(word) == 0; }
-
   /*! The word turned by +rotation sectors. */
   Word rotate(Word word, unsigned int rotation) const;
 

@@ -23,6 +23,7 @@
 
 #include "pose/circle_bounds.h"
 #include "refine/surround_share.h"
+#include "support/pixel_box.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -41,17 +42,9 @@ constexpr double poseErrorOfSelection = 0.3;
 // Hypotheses that are served.
 constexpr std::size_t mostHypotheses = 2;
 
-struct Box
-{
-  int left;
-  int right;
-  int top;
-  int bottom;
-};
-
 // Box around the marker and its quiet zone in all hypotheses, within the image.
-Box boundingBox(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
-                std::size_t count, double radius)
+PixelBox boundingBox(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
+                     std::size_t count, double radius)
 {
   constexpr int directions = 24; // the polygon is 1 % too small; the margin below covers it
   Eigen::Vector2d least(HUGE_VAL, HUGE_VAL);
@@ -66,8 +59,8 @@ Box boundingBox(const vpImage<unsigned char> &I, const CameraModel &camera, cons
   };
   const int width = static_cast<int>(I.getWidth());
   const int height = static_cast<int>(I.getHeight());
-  return {inside(std::floor(least.x()), width - 1), inside(std::ceil(most.x()), width - 1),
-          inside(std::floor(least.y()), height - 1), inside(std::ceil(most.y()), height - 1)};
+  return {inside(std::floor(least.x()), width - 1), inside(std::floor(least.y()), height - 1),
+          inside(std::ceil(most.x()), width - 1) + 1, inside(std::ceil(most.y()), height - 1) + 1};
 }
 
 // Length of all edges of the pattern in the image, pixels.
@@ -143,11 +136,11 @@ using Hypotheses = std::array<TileView, mostHypotheses>;
 // Calls visit(u, v) for the pixels of the tile that the hypotheses look at, as far as the box reaches, that are nearer
 // than the band is wide to an edge in any of them.
 template <class Visit>
-void forEachNear(const Hypotheses &hypotheses, std::size_t count, int left, int top, const Box &box, double band,
+void forEachNear(const Hypotheses &hypotheses, std::size_t count, int left, int top, const PixelBox &box, double band,
                  const Visit &visit)
 {
-  const int right = std::min(left + laneCount - 1, box.right);
-  for (int v = top; v <= std::min(top + laneCount - 1, box.bottom); ++v) {
+  const int right = std::min(left + laneCount, box.right);
+  for (int v = top; v < std::min(top + laneCount, box.bottom); ++v) {
     Lanes distance = Lanes::Constant(HUGE_VALF);
     for (std::size_t i = 0; i < count; ++i) {
       distance = distance.min(hypotheses[i].distances(v - top - tileHalf));
@@ -155,7 +148,7 @@ void forEachNear(const Hypotheses &hypotheses, std::size_t count, int left, int 
     const LaneList chosen = lanesBelow(distance, static_cast<float>(band));
     for (int k = 0; k < chosen.count; ++k) {
       const int u = left + chosen.lanes[static_cast<std::size_t>(k)];
-      if (u <= right) {
+      if (u < right) {
         visit(u, v);
       }
     }
@@ -172,8 +165,8 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   // In coordinates in which the blur is round: there lengths are larger by this factor at most.
   const double longer = blur.widest() / blur.sigma;
   const double outermost = pattern.paper[0].extent;
-  const Box box = boundingBox(I, camera, planes, count, outermost);
-  const double size = 0.25 * (box.right - box.left + box.bottom - box.top) / outermost;
+  const PixelBox box = boundingBox(I, camera, planes, count, outermost);
+  const double size = 0.25 * (box.width() + box.height() - 2) / outermost;
   const double deviations = 2. * size < smallMarker ? bandOfSmall : 2. * size > largeMarker ? bandOfLarge : bandOfBlur;
   const double band = deviations * blur.sigma + longer * poseErrorOfSelection;
   const double expected = 2. * band * edgeLength(pattern, size);
@@ -184,8 +177,8 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   Hypotheses hypotheses = {
       {{planes[0], pattern, band, blur.shape()}, {planes[count - 1], pattern, band, blur.shape()}}};
   PixelAdder adder(I, camera, frame, surround, pixels);
-  for (int top = box.top; top <= box.bottom; top += laneCount) {
-    for (int left = box.left; left <= box.right; left += laneCount) {
+  for (int top = box.top; top < box.bottom; top += laneCount) {
+    for (int left = box.left; left < box.right; left += laneCount) {
       const Eigen::Vector2d middle(left + tileHalf, top + tileHalf);
       const ModelPixel tile = {camera.toMeter(middle), camera.meterPerPixel(middle)};
       bool isNear = false;

@@ -23,21 +23,10 @@
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 
 #include "ellipse/conic.h"
+#include "support/pixel_box.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! A rectangle of pixels: from \e left and \e top to before \e right and \e bottom. */
-struct PixelBox
-{
-  int left = 0;
-  int top = 0;
-  int right = 0;
-  int bottom = 0;
-
-  int width() const { return right - left; }
-  int height() const { return bottom - top; }
-};
-
 /*! The smallest box around an ellipse, with a margin around it, cut at the image's border; empty if it is outside. */
 PixelBox boxAround(const EllipseParameters &ellipse, double margin, int width, int height);
 
