@@ -178,6 +178,12 @@ TEST(DetectorReach, CodesAtGrazingAnglesOnGreyGround)
   expectReach({vpCircleMarkerFamily::GOLAY23, 6., 9., 1.45, 100., 160., 0.9, 0.7, 220., 1.3});
 }
 
+// Narrower again: along the sides nothing is left but lines, and dots where the ends were.
+TEST(DetectorReach, CodesLikeTwoDots)
+{
+  expectReach({vpCircleMarkerFamily::GOLAY23, 5., 7., 1.45, 10., 245., 0.97, 0.7, 220., 1.3});
+}
+
 // The noise alone keeps them from correlating with their model.
 TEST(DetectorReach, FaintCodes)
 {

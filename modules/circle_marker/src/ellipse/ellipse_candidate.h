@@ -57,6 +57,9 @@ struct EllipseCandidate
   double rank() const { return std::min(ellipse.a, behind); }
 };
 
+/*! Makes an ellipse the whole outline, with so many points along it. */
+void setOutline(const EllipseParameters &ellipse, int points, EllipseCandidate &candidate);
+
 /*!
   An outline of which less than this share is found may be that of a piece of a ring's edge and of something else: the
   ring's other arcs along it, and those of its chain, are tried as well.

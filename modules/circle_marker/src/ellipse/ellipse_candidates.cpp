@@ -23,6 +23,7 @@
 #include "ellipse/closed_chains.h"
 #include "ellipse/joined_arcs.h"
 #include "ellipse/joined_caps.h"
+#include "ellipse/joined_dots.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -50,6 +51,7 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
   search.settle();
   joinArcs(search);
   joinCaps(search);
+  joinDots(search, workers);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

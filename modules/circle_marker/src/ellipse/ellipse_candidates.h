@@ -27,7 +27,7 @@ namespace circle_marker {
   Finds the ellipses among the edge chains of an image. A closed chain is fitted as it is; the others are cut where they
   bend the wrong way or sharply, and the ellipse fitted to an arc, or else to two arcs with something between them, is
   completed by searching its whole outline for edges. Where an ellipse is so narrow that it bends sharply itself, at its
-  tips, it is put together from these.
+  tips, it is put together from these, or from the dark dots that its ring has there.
   The chains are shared among the workers; the result does not depend on their number.
   \param I : The image.
   \param gradient : Its gradient.

@@ -26,6 +26,7 @@
 #include <visp3/core/vpImage.h>
 
 #include "edges/convex_arcs.h"
+#include "edges/dark_dots.h"
 #include "edges/edge_caps.h"
 #include "ellipse/cap_pairs.h"
 #include "ellipse/known_outlines.h"
@@ -72,6 +73,7 @@ struct EllipseMemory
     std::vector<EdgePoint> points;
     std::vector<ConvexArc> arcs;
     ReusedList<EdgeCap> caps;
+    std::vector<DarkDot> dots;
     ReusedList<LooseArc> loose;
     ReusedList<Proposal> proposals;
     std::vector<Refusal> refusals;
@@ -83,6 +85,8 @@ struct EllipseMemory
   std::vector<const EdgeCap *> caps; //!< Of all workspaces.
   std::vector<CapOutlook> outlooks;  //!< Theirs.
   std::vector<Around> around;        //!< One per cap.
+  std::vector<DarkDot> dots;         //!< Of all workspaces.
+  EllipseCandidate ofDots;           //!< The outline that two of them make.
   KnownOutlines known;
   bool keepsRefusals = false; //!< Whether refusals are kept, to be shown.
 };

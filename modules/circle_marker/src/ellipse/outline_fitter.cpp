@@ -116,18 +116,6 @@ void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double
   candidate.support = static_cast<double>(candidate.points.size()) / samples;
 }
 
-// Makes an ellipse the whole outline.
-void setOutline(const EllipseParameters &ellipse, int samples, EllipseCandidate &candidate)
-{
-  candidate.ellipse = ellipse;
-  candidate.support = 1.;
-  candidate.points.clear();
-  EllipseWalk walk(ellipse, samples);
-  for (int i = 0; i < samples; ++i, walk.next()) {
-    candidate.points.push_back(walk.here());
-  }
-}
-
 // Takes away the points that lie far from the ellipse.
 void keepNear(EllipseCandidate &candidate)
 {
@@ -263,7 +251,6 @@ EllipseReject OutlineFitter::fitEnds(const vpImage<unsigned char> &I, const Grad
   }
   const GreysBeside beside = greysBeside(I, points, count);
   setOutline(ellipse, mostFirstSamples, candidate);
-  candidate.conic = conicFromEllipse(ellipse);
   candidate.contrast = medianContrast(I, candidate);
   const double least = std::max(riseBesideLine(gradient), leastStepBetweenEnds * (beside.bright - beside.dark));
   return candidate.contrast < least ? EllipseReject::NOT_DARK_INSIDE : EllipseReject::NONE;

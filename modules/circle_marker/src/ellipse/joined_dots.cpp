@@ -1,0 +1,98 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Outlines put together from two dark dots.
+ */
+
+#include "ellipse/joined_dots.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ellipse/dot_pairs.h"
+#include "ellipse/outline_greys.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// A dot is darker than all around by this, grey levels and noise of a pixel: of a pair of black and white that differ
+// by 40 the ends of a ring keep a third.
+constexpr double leastDepth = 12.;
+constexpr double depthOfNoise = 5.;
+// Where there are more dots than these, of any image, and one more for so many pixels, they are of a texture, and each
+// has too many others around. Clutter has one for 6000 pixels.
+constexpr std::size_t fewestDots = 200;
+constexpr std::size_t pixelsForDot = 600;
+// Rows that a thread takes at once.
+constexpr int rowsAtOnce = 64;
+constexpr int pointsOfOutline = 48;
+
+// The dots of all rows, from above to below.
+void findAll(const EllipseSearch &search, Workers &workers)
+{
+  for (EllipseMemory::Workspace &workspace : search.memory.workspaces) {
+    workspace.dots.clear();
+  }
+  const int rise = static_cast<int>(std::ceil(std::max(leastDepth, depthOfNoise * search.gradient.noise.sigma)));
+  const int height = static_cast<int>(search.I.getHeight());
+  const int bands = (height + rowsAtOnce - 1) / rowsAtOnce;
+  workers.run(static_cast<std::size_t>(bands), [&](std::size_t band, unsigned int worker) {
+    if (!search.deadline.hasPassed()) {
+      const int first = static_cast<int>(band) * rowsAtOnce;
+      findDarkDots(search.I, first, std::min(first + rowsAtOnce, height), rise, search.memory.workspaces[worker].dots);
+    }
+  });
+  std::vector<DarkDot> &dots = search.memory.dots;
+  dots.clear();
+  for (const EllipseMemory::Workspace &workspace : search.memory.workspaces) {
+    dots.insert(dots.end(), workspace.dots.begin(), workspace.dots.end());
+  }
+  std::sort(dots.begin(), dots.end(), [](const DarkDot &p, const DarkDot &q) {
+    return p.place.y() != q.place.y() ? p.place.y() < q.place.y() : p.place.x() < q.place.x();
+  });
+}
+// Whether a ring, and what is beside it, is inside of an outline that is found: then it is a piece of its code.
+bool isInside(const KnownOutlines &known, const EllipseParameters &ring)
+{
+  const Eigen::Vector2d aside = 2. * ring.b * Eigen::Vector2d(-std::sin(ring.angle), std::cos(ring.angle));
+  return known.surrounds(ring.center - aside, wholeOutline) && known.surrounds(ring.center + aside, wholeOutline);
+}
+} // namespace
+
+void joinDots(const EllipseSearch &search, Workers &workers)
+{
+  if (search.sought.thinRing <= 0. || search.other.known != nullptr) {
+    return;
+  }
+  findAll(search, workers);
+  const std::vector<DarkDot> &dots = search.memory.dots;
+  if (dots.size() > fewestDots + search.I.getSize() / pixelsForDot) {
+    return;
+  }
+  EllipseCandidate &candidate = search.memory.ofDots;
+  for (std::size_t i = 0; i < dots.size() && !search.deadline.hasPassed(); ++i) {
+    for (std::size_t j = i + 1; j < dots.size() && dots[j].place.y() - dots[i].place.y() <= farthestDots; ++j) {
+      const auto ring = ringBetween(search.I, dots[i], dots[j], search.sought.thinRing);
+      if (!ring || isInside(search.memory.known, *ring)) {
+        continue;
+      }
+      candidate.isThin = true;
+      setOutline(*ring, pointsOfOutline, candidate);
+      candidate.contrast = medianContrast(search.I, candidate);
+      search.memory.known.take(candidate);
+    }
+  }
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
