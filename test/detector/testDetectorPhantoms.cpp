@@ -17,6 +17,9 @@
 
 #include <gtest/gtest.h>
 
+#include <bitset>
+#include <cstdint>
+
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -130,6 +133,55 @@ TEST(DetectorPhantoms, MarkersOfAnotherFamilyHaveNoCode)
         vpSimulatedMarker marker = printed(family, randomId(random, family));
         simulator.addMarker(
             marker.setPose(randomPose(random, uniform(random, 40., 130.), uniform(random, 0., 1.),
+                                      width * (i % columns + 0.5) / columns, height * (i / columns + 0.5) / 3.)));
+      }
+      vpImage<unsigned char> I;
+      simulator.render(I, random());
+      detector.detect(I);
+      found += detector.getNbObjects();
+    }
+  }
+  EXPECT_LE(found, most);
+}
+
+// A clean print of a word that is no code's, or of a code in a mirror: three sectors from the nearest codeword, one
+// more than are corrected. Those that are white and should be black were taken for covered by something like paper: 28
+// of these 480 were read, and two still are.
+TEST(DetectorPhantoms, PrintsOfOtherWordsHaveNoCode)
+{
+  constexpr std::size_t most = 2;
+  Random random = randomOfTest();
+  std::size_t found = 0;
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31}) {
+    const vpCircleMarkerFamily family(type);
+    const unsigned int sectors = family.getNbSectors();
+    const vpCircleMarkerLayout &layout = family.getLayout();
+    const std::vector<std::uint32_t> codewords = vpSimulatedMarker::codewords(family.getName());
+    const auto distanceToCode = [&](std::uint32_t word) {
+      unsigned int least = sectors;
+      for (const std::uint32_t codeword : codewords) {
+        for (unsigned int turn = 0; turn < sectors; ++turn) {
+          const std::uint64_t turned = (static_cast<std::uint64_t>(codeword) << turn) |
+                                       (static_cast<std::uint64_t>(codeword) >> (sectors - turn));
+          const std::uint64_t differing = (turned ^ word) & ((1ULL << sectors) - 1);
+          least = std::min(least, static_cast<unsigned int>(std::bitset<64>(differing).count()));
+        }
+      }
+      return least;
+    };
+    vpDetectorCircleMarker detector(family);
+    for (int image = 0; image < 20; ++image) {
+      vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+      constexpr int columns = 4;
+      for (int i = 0; i < 3 * columns; ++i) {
+        std::uint32_t word = 0;
+        while (distanceToCode(word) != 3) {
+          word = static_cast<std::uint32_t>(random() & ((1ULL << sectors) - 1));
+        }
+        vpSimulatedMarker marker = vpSimulatedMarker::rings({{{layout.ringInner, 1.}}}, size);
+        marker.setTrack(layout.codeInner, layout.codeOuter, sectors, word);
+        simulator.addMarker(
+            marker.setPose(randomPose(random, uniform(random, 60., 130.), uniform(random, 0., 0.9),
                                       width * (i % columns + 0.5) / columns, height * (i / columns + 0.5) / 3.)));
       }
       vpImage<unsigned char> I;

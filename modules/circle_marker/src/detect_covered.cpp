@@ -204,8 +204,8 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
   return isLikeliest(pixels, marker.family.getCodeword(marker.code.id), marker.family);
 }
 
-bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                    const Measurement &measurement, MeasureMemory &memory)
+bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, Recognition &marker,
+                    const Measurement &measurement, unsigned int maximumHamming, MeasureMemory &memory)
 {
   const bool isAsked = marker.seen || measurement.first.inliers < inliersOfCertain;
   if (!marker.family.isCoded() || marker.blurred || !isAsked) {
@@ -219,7 +219,10 @@ bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, 
   const double sectors = marker.family.getNbSectors();
   const double corrected = marker.code.hamming / sectors;
   const double correctedOfEither = (marker.code.hamming / 2) / sectors;
-  return marker.seen ? other.ink > leastInkOfCovered + corrected ||
+  if (marker.seen) {
+    marker.code.hamming = std::max(marker.code.hamming, other.sectors);
+  }
+  return marker.seen ? marker.code.hamming > maximumHamming || other.ink > leastInkOfCovered + corrected ||
                            std::min(other.ink, other.paper) > leastEitherOfCovered + correctedOfEither
                      : other.ink + other.paper > leastOtherOfWhole + corrected;
 }

@@ -92,9 +92,15 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
   Whether the code track shows another code in plain sight, though by what the fit left out it was taken for this one
   with something in front: at the measured pose its pixels are ink where the codeword has white and paper where it has
   black, between ring and centre as they should be. Asked of covered markers, and of others if pixels were left out.
+  \param I, camera : Image and camera.
+  \param marker : The marker. Of a covered one the sectors that are of the other colour from border to border count as
+  corrected from then on: hardly anything that covers a track ends at the borders of its sectors.
+  \param measurement : Of the marker.
+  \param maximumHamming : Most sectors that may be corrected.
+  \param memory : Working memory.
 */
-bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                    const Measurement &measurement, MeasureMemory &memory);
+bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, Recognition &marker,
+                    const Measurement &measurement, unsigned int maximumHamming, MeasureMemory &memory);
 
 /*!
   A marker that was read as a whole one although something covers a part of it, to be measured again without that: its

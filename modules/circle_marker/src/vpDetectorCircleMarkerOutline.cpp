@@ -309,7 +309,8 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::explain(const Visit &vi
   }
   if (measurement && settings.refinePose && !isProofWanted) {
     measurement = withoutCover(visit, outline, *measurement, marker, workspace);
-    if (measurement && (showsOtherCode(visit.I, visit.camera, marker, *measurement, workspace.measuring) ||
+    if (measurement && (showsOtherCode(visit.I, visit.camera, marker, *measurement, settings.decode.maximumHamming,
+                                       workspace.measuring) ||
                         mayBeOtherCode(visit.I, visit.camera, marker, *measurement, workspace.measuring))) {
       return std::nullopt;
     }

@@ -88,9 +88,9 @@ void vpDetectorCircleMarker::setMarkerSizes(const std::map<int, double> &sizes)
 /*!
   \param distance : Most sectors of a code that are corrected (2 by default): that were read, and against the code. The
   more are wrong the less the image looks like the marker, which is demanded, too: of golay23 hardly one with three is
-  found at any distance. Sectors that are not seen are not corrected: a misprinted one can pass for one that something
-  covers, whatever the distance; and markers with sectors too small to be read one by one are read as a whole, unless
-  the distance is 0.
+  found at any distance. Sectors that are not seen are not corrected; one in plain sight that is of the other colour is,
+  even of a marker that something covers elsewhere. Markers with sectors too small to be read one by one are read as a
+  whole, unless the distance is 0.
 */
 void vpDetectorCircleMarker::setMaximumHammingDistance(unsigned int distance)
 {

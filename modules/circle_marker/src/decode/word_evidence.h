@@ -37,11 +37,12 @@ struct LikeliestWord
   double contradicted = 0.; //!< Sectors that the pixels tell to be the other kind.
 };
 
-/*! What is ink or paper on a track, in plain sight, though a word has the other there: shares of all its pixels. */
+/*! What is ink or paper on a track, in plain sight, though a word has the other there. */
 struct OtherColours
 {
-  double ink = 0.;   //!< Where the word has white.
-  double paper = 0.; //!< Where it has black.
+  double ink = 0.;          //!< Where the word has white, share of all pixels of the track.
+  double paper = 0.;        //!< Where it has black.
+  unsigned int sectors = 0; //!< Sectors that are of the other colour as a whole.
 };
 
 /*!

@@ -49,6 +49,13 @@ constexpr int placesOfPrint = 4;
 constexpr double mostUnexplainedBeside = 0.05;
 // Share of such a part's own pixels that are of another colour, from rim to rim: along the edge of a cover it is less.
 constexpr double leastOfDepth = 0.8;
+// A pixel shows a sector alone if this share of it does. A sector is another one if of so many such pixels at least
+// this share is, since the wrong codeword may have turned the sectors by some of their length, and of those beside it
+// no more than this are other than they should be.
+constexpr float leastAlone = 0.85f;
+constexpr unsigned int fewestAlone = 2;
+constexpr double leastOfSector = 0.45;
+constexpr double mostUnexplainedBesideSector = 0.1;
 
 // Runs of directions, most of a sector long, in which the track is not seen though the ring is, to a sector around:
 // what crosses a marker hides both.
@@ -89,6 +96,12 @@ int placesOfTrackAlone(const SeenParts &seen)
 // Pixels in a direction.
 struct Count
 {
+  void add(bool isUnexplained)
+  {
+    ++all;
+    unexplained += isUnexplained ? 1 : 0;
+  }
+
   unsigned int all = 0;
   unsigned int unexplained = 0;
 };
@@ -187,18 +200,26 @@ OtherColours WordEvidence::otherColours(CyclicCode::Word word) const
   const std::uint64_t bits = extended(word, m_sectors);
   const unsigned int parts = partsPerSector * m_sectors;
   PartCounts counts;
+  std::array<Count, mostSectors>
+      alone{}; // pixels that show a sector alone, and those of them that are of another colour
+  std::array<Count, mostSectors> beside{}; // and pixels beside it
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const Explained &placed = m_explained[i];
     const std::size_t part = pixels[i].partOf(parts);
     const bool isSo = (placed.byColours >> coloursAt(bits, placed.sector, m_sectors)) & 1U;
     if (placed.isOnTrack) {
+      const unsigned int isInk = !isSo && std::abs(pixels[i].level) < m_slack ? 1 : 0;
+      const unsigned int isPaper = !isSo && (placed.isCutOff || std::abs(1. - pixels[i].level) < m_slack) ? 1 : 0;
       ++counts.all[part];
-      counts.ink[part] += !isSo && std::abs(pixels[i].level) < m_slack ? 1 : 0;
-      counts.paper[part] += !isSo && (placed.isCutOff || std::abs(1. - pixels[i].level) < m_slack) ? 1 : 0;
+      counts.ink[part] += isInk;
+      counts.paper[part] += isPaper;
+      if (placed.shares[1] > leastAlone) {
+        alone[placed.sector].add(isInk + isPaper > 0);
+      }
     }
     else if (pixels[i].track < 2. * m_slack) {
-      ++counts.beside[part].all;
-      counts.beside[part].unexplained += isSo ? 0 : 1;
+      counts.beside[part].add(!isSo);
+      beside[placed.sector].add(!isSo);
     }
   }
   OtherColours other;
@@ -210,6 +231,12 @@ OtherColours WordEvidence::otherColours(CyclicCode::Word word) const
       other.ink += counts.ink[part];
       other.paper += counts.paper[part];
     }
+  }
+  for (unsigned int sector = 0; sector < m_sectors; ++sector) {
+    const bool isOther =
+        alone[sector].all >= fewestAlone && alone[sector].unexplained >= leastOfSector * alone[sector].all;
+    const bool isSeen = beside[sector].unexplained <= mostUnexplainedBesideSector * beside[sector].all;
+    other.sectors += isOther && isSeen ? 1 : 0;
   }
   const double perPixel = 1. / std::max(onTrack, 1.);
   other.ink *= perPixel;
@@ -231,9 +258,7 @@ void WordEvidence::leaveOutUnexplained(CyclicCode::Word word, SeenParts &seen) c
     }
     const std::size_t part = pixels[i].partOf(seen.directions);
     const unsigned int colours = coloursAt(bits, placed.sector, m_sectors);
-    Count &count = (isOnTrack ? onTrack : onRing)[part];
-    ++count.all;
-    count.unexplained += (placed.byColours >> colours) & 1U ? 0 : 1;
+    (isOnTrack ? onTrack : onRing)[part].add(((placed.byColours >> colours) & 1U) == 0);
   }
   const auto isOther = [](const Count &count) { return count.unexplained > mostUnexplained * count.all; };
   for (unsigned int part = 0; part < seen.directions; ++part) {
