@@ -42,7 +42,7 @@ struct OtherColours
 {
   double ink = 0.;          //!< Where the word has white, share of all pixels of the track.
   double paper = 0.;        //!< Where it has black.
-  unsigned int sectors = 0; //!< Sectors that are of the other colour as a whole.
+  unsigned int sectors = 0; //!< Sectors that are of the other colour above all.
 };
 
 /*!
@@ -86,7 +86,8 @@ public:
 
   /*!
     What is ink or paper from rim to rim of the track though a word has the other, where ring, gap and centre beside it
-    are what they should be: hardly anything that covers a track ends at its rims, but another code does.
+    are what they should be: hardly anything that covers a track ends at its rims, but another code does. And sector by
+    sector, by the pixels that show one alone.
   */
   OtherColours otherColours(CyclicCode::Word word) const;
 

@@ -200,9 +200,9 @@ OtherColours WordEvidence::otherColours(CyclicCode::Word word) const
   const std::uint64_t bits = extended(word, m_sectors);
   const unsigned int parts = partsPerSector * m_sectors;
   PartCounts counts;
-  std::array<Count, mostSectors>
-      alone{}; // pixels that show a sector alone, and those of them that are of another colour
-  std::array<Count, mostSectors> beside{}; // and pixels beside it
+  // Pixels that show a sector alone, with those that are of another colour, and pixels beside it.
+  std::array<Count, mostSectors> alone{};
+  std::array<Count, mostSectors> beside{};
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const Explained &placed = m_explained[i];
     const std::size_t part = pixels[i].partOf(parts);

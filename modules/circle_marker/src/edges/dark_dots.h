@@ -50,8 +50,10 @@ constexpr int dotReach = 3;
   Finds the dots of some rows, one after the other, from the left to the right.
   \param I : The image.
   \param firstRow, endRow : The rows, from dotReach to height - dotReach.
-  \param rise : By how much, in grey levels from 0 to 255, a dot is darker than what is two or three pixels away, in
-  each of eight directions. \param dots : They are appended.
+  \param rise : By how much a dot is darker than what is two or three pixels away, in each of eight directions: grey
+  levels, 1 to 255.
+
+  \param dots : They are appended.
 */
 void findDarkDots(const vpImage<unsigned char> &I, int firstRow, int endRow, int rise, std::vector<DarkDot> &dots);
 } // namespace circle_marker

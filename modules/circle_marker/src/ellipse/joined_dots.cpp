@@ -62,6 +62,7 @@ void findAll(const EllipseSearch &search, Workers &workers)
     return p.place.y() != q.place.y() ? p.place.y() < q.place.y() : p.place.x() < q.place.x();
   });
 }
+
 // Whether a ring, and what is beside it, is inside of an outline that is found: then it is a piece of its code.
 bool isInside(const KnownOutlines &known, const EllipseParameters &ring)
 {
