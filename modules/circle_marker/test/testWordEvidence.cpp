@@ -45,6 +45,11 @@ TEST(WordEvidence, TellsTheCodewordThoughARunOfSectorsIsCovered)
       EXPECT_GT(best.odds, 7.) << "grey " << grey;
       EXPECT_GT(best.confirmed, family.getNbSectors() - hidden - 2.);
       EXPECT_LT(best.confirmed, family.getNbSectors() - hidden + 1.);
+      const CyclicCode::Word seen =
+          marker.word & ((1U << (family.getNbSectors() - hidden)) - 1); // the first are hidden
+      const auto black = static_cast<double>(std::bitset<32>(seen).count());
+      EXPECT_GT(best.confirmedBlack, black - 2.);
+      EXPECT_LT(best.confirmedBlack, black + 1.);
       EXPECT_LT(best.contradicted, 0.5);
     }
   }

@@ -53,6 +53,9 @@ constexpr double leastOddsOfCovered = 7.;
 // then. (Of 8400 covered golay23 of 12 to 45 pixels in any light one was read as another, with odds of e^8.6.)
 constexpr double fewPixelsOfSector = 16.;
 constexpr double leastOddsOfFewPixels = 10.;
+// And so many of the sectors that are told are black: a ring with nothing inside but a few lines across it is white all
+// around, and what is not is covered. (Such phantoms had 1.5 to 2.4, right ones of which 0.4 is covered 4.0 and more.)
+constexpr double fewestBlack = 2.5;
 
 /*! Sums of the soft values with the signs of a word's bits, byte by byte: four look-ups for a word. */
 class Scores
@@ -195,7 +198,7 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, const TrackPix
   result.spin = phase + 2. * M_PI * identity->rotation / reading.sectors;
   // As many bits as the message has leave one codeword; each sector more halves the chance that what is none fits.
   const auto told = static_cast<unsigned int>(std::lround(best.confirmed + best.contradicted));
-  if (best.confirmed - bitsOfErrors(told, result.hamming) < code.getDimension()) {
+  if (best.confirmedBlack < fewestBlack || best.confirmed - bitsOfErrors(told, result.hamming) < code.getDimension()) {
     return {vpCircleMarkerReject::NO_SECTORS, result};
   }
   const double corrected = static_cast<double>(result.hamming) / code.getCapacity();

@@ -299,6 +299,7 @@ LikeliestWord WordEvidence::likeliest(const CyclicCode &code) const
   for (unsigned int k = 0; k < n; ++k) {
     const unsigned int pattern = (bits >> (n - 1 - k)) & 31U;
     result.confirmed += m_told[k][pattern];
+    result.confirmedBlack += (pattern & 4U) != 0 ? m_told[k][pattern] : 0.;
     result.contradicted += m_told[k][pattern ^ 4U];
     result.odds -= static_cast<double>(m_evidence[k][pattern ^ 4U]);
   }

@@ -32,9 +32,10 @@ namespace circle_marker {
 struct LikeliestWord
 {
   CyclicCode::Word word = 0;
-  double odds = 0.;         //!< Against all other codewords together, and what speaks against it, ln.
-  double confirmed = 0.;    //!< Sectors that the pixels tell to be what the word makes them; doubtful ones in part.
-  double contradicted = 0.; //!< Sectors that the pixels tell to be the other kind.
+  double odds = 0.;           //!< Against all other codewords together, and what speaks against it, ln.
+  double confirmed = 0.;      //!< Sectors that the pixels tell to be what the word makes them; doubtful ones in part.
+  double confirmedBlack = 0.; //!< Those of them that are black.
+  double contradicted = 0.;   //!< Sectors that the pixels tell to be the other kind.
 };
 
 /*! What is ink or paper on a track, in plain sight, though a word has the other there. */
