@@ -144,9 +144,9 @@ TEST(DetectorPhantoms, MarkersOfAnotherFamilyHaveNoCode)
   EXPECT_LE(found, most);
 }
 
-// A clean print of a word that is no code's, or of a code in a mirror: three sectors from the nearest codeword, one
-// more than are corrected. Those that are white and should be black were taken for covered by something like paper: 28
-// of these 480 were read, and two still are.
+// A clean print of a word that is no code's: three sectors from the nearest codeword, one more than are corrected.
+// Those that are white and should be black were taken for covered by something like paper: 28 of these 480 were read,
+// and two still are.
 TEST(DetectorPhantoms, PrintsOfOtherWordsHaveNoCode)
 {
   constexpr std::size_t most = 2;

@@ -93,7 +93,7 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
   with something in front: at the measured pose its pixels are ink where the codeword has white and paper where it has
   black, between ring and centre as they should be. Asked of covered markers, and of others if pixels were left out.
   \param I, camera : Image and camera.
-  \param marker : The marker. Of a covered one the sectors that are of the other colour from border to border count as
+  \param marker : The marker. Of a covered one the sectors in plain sight that are mostly of the other colour count as
   corrected from then on: hardly anything that covers a track ends at the borders of its sectors.
   \param measurement : Of the marker.
   \param maximumHamming : Most sectors that may be corrected.

@@ -38,7 +38,7 @@ constexpr double farthestDots = 100.;
 /*!
   The outer edge of a ring that is seen from nearly the side, so that no edge is left along its long sides: the black at
   both ends of the longer axis makes dots, in the middle between them it is white, and beyond them and beside them is
-  paper. How narrow it is the dark lines along its sides tell, where they show.
+  paper. It is as wide as the ring is that, as the blur leaves it, correlates best with the image.
   \param I : The image.
   \param one, other : The dots.
   \param ringInner : Inner radius of the ring, of the outer one.
