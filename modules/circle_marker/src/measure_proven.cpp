@@ -21,6 +21,7 @@
 #include <cmath>
 
 #include "code_proof.h"
+#include "refine/fit_starts.h"
 #include "refine/over_exposed_code.h"
 
 BEGIN_VISP_NAMESPACE
@@ -59,9 +60,7 @@ double sectorLength(const EllipseParameters &outline, const vpCircleMarkerFamily
 void startAt(const Measurement &measurement, Recognition &marker)
 {
   marker.poses[0] = measurement.first.plane.flattened();
-  if (measurement.second) {
-    marker.poses[1] = measurement.second->plane.flattened();
-  }
+  marker.poses[1] = measurement.second ? measurement.second->plane.flattened() : mirrored(marker.poses[0]);
 }
 
 // Sets another code, at the measured poses.
@@ -137,22 +136,21 @@ bool setLikeliest(const Measuring &measuring, Recognition &marker)
   return true;
 }
 
-// The measurement of a marker whose code is proven: if its steps were too few in doubt, it goes on from where it is,
-// and so do the marker's poses.
-Measurement settled(const Measuring &measuring, const Measurement &measurement, Recognition &marker)
+// The measurement of a marker whose code is proven: in doubt it was one of a single pose, with few steps, and goes on
+// from where it is, and so do the marker's poses.
+std::optional<Measurement> settled(const Measuring &measuring, const Measurement &measurement, Recognition &marker)
 {
-  if (measurement.first.isSettled) {
+  if (marker.isCertain) {
     return measurement;
   }
   Recognition proven = marker;
   proven.isCertain = true;
   startAt(measurement, proven);
-  const auto again = measuring.measure(proven);
-  if (!again) {
-    return measurement;
+  auto again = measuring.measure(proven);
+  if (again) {
+    marker.poses = proven.poses;
   }
-  marker.poses = proven.poses;
-  return *again;
+  return again;
 }
 
 // One marker on its way to a proven code: measured with one code after another until one is proven, or none.

@@ -69,6 +69,8 @@ constexpr double leastSemiMinor = 1.85;
 // degrees 97 in 100 do, and are wide enough, of 908 pairs of dots in clutter that had come so far three in 100.
 constexpr double leastCorrelation = 0.66;
 constexpr double usualBlur = 0.7;
+// And by this where its dark sides say that it is.
+constexpr double leastAtStart = 0.15;
 
 // Means of grey levels along the line from dot to dot and parallel to it, between them.
 class Across
@@ -115,23 +117,56 @@ private:
   double m_ofRing; // the distance of the dots by the ring's semi-major axis
 };
 
-// By how much the darkest line on one side is darker than the middle. sign: of the side.
-double darknessBeside(const Across &across, double center, double sign)
+// The darkest line on one side.
+struct DarkSide
 {
-  double darkest = HUGE_VAL;
+  double grey = HUGE_VAL;
+  double distance = 0.; // from the middle, pixels
+};
+
+// sign: of the side.
+DarkSide darkestBeside(const Across &across, double sign)
+{
+  DarkSide darkest;
   for (double distance = firstAcross; distance <= lastAcross; distance += stepAcross) {
-    darkest = std::min(darkest, across.side(sign * distance));
+    const double grey = across.side(sign * distance);
+    if (grey < darkest.grey) {
+      darkest = {grey, distance};
+    }
   }
-  return center - darkest;
+  return darkest;
 }
 
-bool hasDarkSides(const Across &across, double depth)
+// Distance of the dark sides from the middle, pixels; nothing if there are none.
+std::optional<double> distanceOfSides(const Across &across, double depth)
 {
   const double center = across.center();
-  const double right = darknessBeside(across, center, 1.);
-  const double left = darknessBeside(across, center, -1.);
-  return std::min(right, left) >= std::max(leastDarkSide * depth, leastOfOtherSide * std::max(right, left));
+  const DarkSide right = darkestBeside(across, 1.);
+  const DarkSide left = darkestBeside(across, -1.);
+  const double more = center - std::min(right.grey, left.grey);
+  const double less = center - std::max(right.grey, left.grey);
+  if (less < std::max(leastDarkSide * depth, leastOfOtherSide * more)) {
+    return std::nullopt;
+  }
+  return 0.5 * (right.distance + left.distance);
 }
+
+// Weighted moments of pairs of numbers.
+struct Moments
+{
+  double n = 0., x = 0., y = 0., xx = 0., xy = 0., yy = 0.;
+
+  void add(double first, double second, double weight)
+  {
+    n += weight;
+    x += weight * first;
+    y += weight * second;
+    xx += weight * first * first;
+    xy += weight * first * second;
+    yy += weight * second * second;
+  }
+  double correlation() const { return (n * xy - x * y) / std::sqrt((n * xx - x * x) * (n * yy - y * y)); }
+};
 
 // Correlation of an image with the ring and the white inside of it, its code's track left out: minus that of the share
 // of black.
@@ -142,36 +177,52 @@ double correlationWithRing(const vpImage<unsigned char> &I, const EllipseParamet
   const std::array<double, 8> radii = {
       0., 0.19 * ringInner, 0.38 * ringInner, ringInner - 0.06, ringInner + 0.02, 0.5 * (1. + ringInner), 1., 1.1};
   const NormalDistribution &normal = NormalDistribution::instance();
-  Eigen::Matrix3d sums = Eigen::Matrix3d::Zero(); // of the products of 1, share of black and grey level
+  Moments moments;
   EllipseWalk walk(ellipse, directions);
-  for (int k = 0; k < directions; ++k, walk.next()) {
-    const Eigen::Vector2d out = walk.here().position - ellipse.center;
+  for (int k = 0; k < directions / 2; ++k, walk.next()) {
+    const EdgePoint here = walk.here();
+    const Eigen::Vector2d out = here.position - ellipse.center;
     // In one direction all circles have the same tangent, their radius times this away from the centre, in blurs.
-    const double across = out.dot(walk.here().normal()) / usualBlur;
+    const double across = out.dot(here.normal()) / usualBlur;
     for (const double radius : radii) {
-      const auto grey = bilinear(I, ellipse.center + radius * out);
-      if (grey) {
-        const double black =
-            normal.at((1. - radius) * across).cumulative - normal.at((ringInner - radius) * across).cumulative;
-        const Eigen::Vector3d values(1., black, *grey);
-        sums += std::max(radius, 0.1) * values * values.transpose(); // as much of the area
+      const double black =
+          normal.at((1. - radius) * across).cumulative - normal.at((ringInner - radius) * across).cumulative;
+      const double area = std::max(radius, 0.1); // in proportion
+      for (const double side : {-radius, radius}) {
+        if (const auto grey = bilinear(I, ellipse.center + side * out)) {
+          moments.add(black, *grey, area);
+        }
       }
     }
   }
-  const Eigen::Vector2d means = sums.block<2, 1>(1, 0) / sums(0, 0);
-  const Eigen::Matrix2d covariance = sums.bottomRightCorner<2, 2>() / sums(0, 0) - means * means.transpose();
-  return -covariance(0, 1) / std::sqrt(covariance(0, 0) * covariance(1, 1));
+  return -moments.correlation();
 }
 
-// Sets the semi-minor axis with which a ring is most like the image; false if none is.
-bool setSemiMinor(const vpImage<unsigned char> &I, double ringInner, EllipseParameters &ellipse)
+// Sets the semi-minor axis with which a ring is most like the image, up the hill from where its dark sides are; false
+// if none is like it.
+bool setSemiMinor(const vpImage<unsigned char> &I, double ringInner, double sides, EllipseParameters &ellipse)
 {
   std::array<double, widths> likeness;
-  for (std::size_t i = 0; i < widths; ++i) {
-    ellipse.b = narrowest + stepOfWidth * static_cast<double>(i);
-    likeness[i] = correlationWithRing(I, ellipse, ringInner);
+  likeness.fill(HUGE_VAL); // not known
+  const auto likenessAt = [&](std::size_t i) {
+    if (likeness[i] == HUGE_VAL) {
+      ellipse.b = narrowest + stepOfWidth * static_cast<double>(i);
+      likeness[i] = correlationWithRing(I, ellipse, ringInner);
+    }
+    return likeness[i];
+  };
+  const double start = std::round((2. * sides / (1. + ringInner) - narrowest) / stepOfWidth);
+  auto best = static_cast<std::size_t>(std::clamp(start, 1., widths - 2.));
+  if (!(likenessAt(best) >= leastAtStart)) {
+    return false;
   }
-  const auto best = static_cast<std::size_t>(std::max_element(likeness.begin(), likeness.end()) - likeness.begin());
+  while (best > 0 && best + 1 < widths) {
+    const bool isUp = likenessAt(best + 1) > likenessAt(best);
+    if (!isUp && !(likenessAt(best - 1) > likenessAt(best))) {
+      break;
+    }
+    best += isUp ? 1 : -1;
+  }
   if (best == 0 || best + 1 == widths || !(likeness[best] >= leastCorrelation)) {
     return false;
   }
@@ -204,14 +255,18 @@ std::optional<EllipseParameters> ringBetween(const vpImage<unsigned char> &I, co
                           isBright(other.place + out, leastBeyond) && isBright(one.place - aside, leastBeside) &&
                           isBright(one.place + aside, leastBeside) && isBright(other.place - aside, leastBeside) &&
                           isBright(other.place + aside, leastBeside);
-  if (!isLikeRing || !hasDarkSides(Across(I, middle, way, ringInner), depth)) {
+  if (!isLikeRing) {
+    return std::nullopt;
+  }
+  const auto sides = distanceOfSides(Across(I, middle, way, ringInner), depth);
+  if (!sides) {
     return std::nullopt;
   }
   EllipseParameters ellipse;
   ellipse.center = middle;
   ellipse.a = distance / (1. + ringInner) + inwardByBlur;
   ellipse.angle = along.x() == 0. ? M_PI_2 : std::atan(along.y() / along.x());
-  return setSemiMinor(I, ringInner, ellipse) ? std::make_optional(ellipse) : std::nullopt;
+  return setSemiMinor(I, ringInner, *sides, ellipse) ? std::make_optional(ellipse) : std::nullopt;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE
