@@ -252,6 +252,15 @@ void spoil(Draft &draft, const Hardship &hardship, Random &random, vpSceneMotion
     shadow.penumbra = uniform(random, 0.5, 3.);
     photometry.shadow = shadow;
   }
+  else if (name("reflection")) { // of a lamp, on glossy paper
+    photometry.paper = 150.;     // so that the brighter side is not cut off
+    const auto aside = [&] { return uniform(random, -0.4, 0.4) * draft.diameter; };
+    vpSceneReflection reflection;
+    reflection.center = vpImagePoint(draft.v + aside(), draft.u + aside());
+    reflection.radius = uniform(random, 0.2, 0.3) * draft.diameter;
+    reflection.grey = hardship.level * (photometry.paper - photometry.ink);
+    photometry.reflection = reflection;
+  }
   else if (name("over-exposure")) {
     photometry.paper *= hardship.level;
     photometry.ink *= hardship.level;
@@ -308,6 +317,8 @@ const std::vector<Hardship> &hardships()
                                      {"light gradient", 0.9},
                                      {"shadow", 0.5},
                                      {"shadow", 0.25},
+                                     {"reflection", 0.3},
+                                     {"reflection", 0.7},
                                      {"over-exposure", 1.5},
                                      {"over-exposure", 2.5},
                                      {"quiet zone", 1. / 6.},

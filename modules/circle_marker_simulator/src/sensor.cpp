@@ -52,6 +52,16 @@ void illuminate(const vpScenePhotometry &photometry, vpImage<float> &I)
   }
 }
 
+void reflect(const vpSceneReflection &reflection, vpImage<float> &I)
+{
+  for (unsigned int i = 0; i < I.getHeight(); ++i) {
+    for (unsigned int j = 0; j < I.getWidth(); ++j) {
+      const double distance = std::hypot(j - reflection.center.get_u(), i - reflection.center.get_v());
+      I[i][j] += static_cast<float>(reflection.grey * std::exp(-0.5 * std::pow(distance / reflection.radius, 2)));
+    }
+  }
+}
+
 void applyGamma(double gamma, vpImage<float> &I)
 {
   if (gamma == 1.) {

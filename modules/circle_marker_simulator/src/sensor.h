@@ -30,6 +30,9 @@ namespace marker_simulator {
 //! Multiplies each pixel with the light that falls there, but for shadows (see vpScenePhotometry).
 void illuminate(const vpScenePhotometry &photometry, vpImage<float> &I);
 
+//! Adds to each pixel what is reflected there.
+void reflect(const vpSceneReflection &reflection, vpImage<float> &I);
+
 //! Applies the sensor's gamma; does nothing for 1.
 void applyGamma(double gamma, vpImage<float> &I);
 

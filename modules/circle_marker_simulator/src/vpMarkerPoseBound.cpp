@@ -99,10 +99,9 @@ void checkPhotometry(const vpScenePhotometry &photometry)
         photometry.noiseSigma, photometry.paper, photometry.ink);
   }
   if (photometry.gamma != 1. || photometry.gradientU != 0. || photometry.gradientV != 0. || photometry.shadow ||
-      photometry.jpegQuality) {
-    throw vpException(
-        vpException::badValue,
-        "the bound's model has no gamma, light gradient, shadow or JPEG loss: leave them at their defaults");
+      photometry.reflection || photometry.jpegQuality) {
+    throw vpException(vpException::badValue, "the bound's model has no gamma, light gradient, shadow, reflection or "
+                                             "JPEG loss: leave them at their defaults");
   }
 }
 
@@ -149,7 +148,7 @@ FreeParameters allFree(bool hasSpin)
   \param photometry : paper, ink, Gaussian blur, defocus disc (known) and noise. Rounding to 8 bits, which is not
   modelled, is as good as an additional variance of 1/12 for a noise of half a grey level and more.
   \exception vpException::badValue : no noise, no contrast, or effects that the model has not (gamma, gradient, shadow,
-  JPEG).
+  reflection, JPEG).
 */
 vpMarkerPoseBound::vpMarkerPoseBound(const vpCameraParameters &cam, const vpScenePhotometry &photometry)
     : m_cam(cam), m_photometry(photometry)

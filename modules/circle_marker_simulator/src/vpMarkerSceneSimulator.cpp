@@ -104,10 +104,14 @@ vpMarkerSceneSimulator::vpMarkerSceneSimulator(const vpCameraParameters &cam, un
 
 /*!
   Sets light, blur and sensor.
-  \exception vpException::badValue : values that no camera has.
+  \exception vpException::badValue : values that no camera has, or a reflection without a size.
 */
 void vpMarkerSceneSimulator::setPhotometry(const vpScenePhotometry &photometry)
 {
+  if (photometry.reflection && !(photometry.reflection->radius > 0.)) {
+    throw vpException(vpException::badValue, "a reflection with a radius of %g pixels: it must be positive",
+                      photometry.reflection->radius);
+  }
   if (!(photometry.noiseSigma >= 0.) || !(photometry.gamma > 0.)) {
     throw vpException(vpException::badValue,
                       "noise of %g grey levels with a gamma of %g: noise must not be negative, "
@@ -248,6 +252,9 @@ void vpMarkerSceneSimulator::renderNoiseFree(vpImage<float> &I) const
     castShadow(*shadow, blur, I);
   }
   illuminate(m_photometry, I);
+  if (m_photometry.reflection) {
+    reflect(*m_photometry.reflection, I);
+  }
   applyGamma(m_photometry.gamma, I);
 }
 

@@ -95,6 +95,22 @@ TEST(Sensor, WideShadowsMultiplyPixels)
   EXPECT_NO_THROW(image(1e6));
 }
 
+TEST(Sensor, ReflectionAddsToLightAndDark)
+{
+  vpScenePhotometry photometry = idealSensor();
+  photometry.gradientU = 0.5;
+  const vpImage<float> without[] = {noiseFree(emptyScene(150., photometry)), noiseFree(emptyScene(20., photometry))};
+  photometry.reflection = vpSceneReflection{vpImagePoint(200., 300.), 40., 60.};
+  const vpImage<float> with[] = {noiseFree(emptyScene(150., photometry)), noiseFree(emptyScene(20., photometry))};
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_NEAR(with[k][200][300] - without[k][200][300], 60., 1e-3);
+    EXPECT_NEAR(with[k][240][300] - without[k][240][300], 60. * 0.6065307, 1e-3); // exp(-1 / 2)
+    EXPECT_NEAR(with[k][200][220] - without[k][200][220], 60. * 0.1353353, 1e-3); // exp(-2)
+  }
+  photometry.reflection->radius = 0.;
+  EXPECT_THROW(emptyScene(150., photometry), vpException);
+}
+
 TEST(Sensor, GammaBendsTheScaleBetweenBlackAndWhite)
 {
   vpScenePhotometry photometry = idealSensor();

@@ -132,6 +132,7 @@ private:
   {
     selectFewPixels(m_view.I, m_view.camera, m_view.frame, around.data(), around.size(), m_pattern, blur, m_pixels);
     dropCovered(m_view.marker, m_pixels);
+    evenOut(m_view, m_pixels);
     RankedFits ranked = rank(m_pixels, m_pattern, m_settings.exactBends,
                              fitAll(m_pixels, starts, m_pattern, m_settings, m_fitter), m_fitter);
     keepTwo(ranked);
@@ -169,6 +170,13 @@ void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
     return !seen.holds(meter) && !(keepsTrack && seen.isOnTrack(meter));
   };
   pixels.erase(std::remove_if(pixels.begin(), pixels.end(), isCovered), pixels.end());
+}
+
+void evenOut(const MarkerInImage &view, std::vector<FitPixel> &pixels)
+{
+  if (view.uneven != nullptr) {
+    evenOut(*view.uneven, pixels);
+  }
 }
 
 RankedFits fitFewPixels(const MarkerInImage &view, const MarkerPattern &pattern, bool refine,

@@ -20,6 +20,7 @@
 
 #include "decode/recognise.h"
 #include "refine/ranked_fits.h"
+#include "refine/uneven_light.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -30,6 +31,7 @@ struct MarkerInImage
   const CameraModel &camera;
   const ImageFrame frame; //!< Coordinates of the light.
   const Recognition &marker;
+  const UnevenLight *uneven = nullptr; //!< The light on it, if pixels are to be taken to even light.
 };
 
 /*! The blur by which pixels are chosen: that of a fit, within bounds. */
@@ -39,6 +41,9 @@ BlurParameters boundedBlur(const BlurParameters &fitted);
   Leaves out what is known to be covered: much of it would pull the first steps away, and raise what is taken for noise.
 */
 void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels);
+
+/*! Takes pixels to even light, if the light on the marker is known to be uneven. */
+void evenOut(const MarkerInImage &view, std::vector<FitPixel> &pixels);
 
 /*!
   Fits from all starts on few pixels around them; if the best has come far from its start, again on the pixels around

@@ -25,6 +25,7 @@
 #include "refine/bent_sheet.h"
 #include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"
+#include "refine/missed_light.h"
 #include "refine/missed_shadow.h"
 #include "refine/nearly_frontal.h"
 #include "refine/pose_odds.h"
@@ -185,6 +186,7 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, boo
   memory.fitter->selectPixels(view.I, view.camera, view.frame, planes.data(), fits.size(), pattern, blur, manyPixels,
                               memory.pixels);
   dropCovered(view.marker, memory.pixels);
+  evenOut(view, memory.pixels);
   Few<FitStart> starts;
   for (const FittedPose &fit : fits) {
     starts.push_back({fit.plane, fit.photometry, coarse.noise});
@@ -346,10 +348,14 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   if (marker.darkness) {
     pattern.darkness = *marker.darkness;
   }
-  const MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
+  MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
   FitSettings settings = settingsFor(view, pattern, deadline);
   settings.noise = noise;
   RankedFits ranked = marker.ring && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
+  std::optional<UnevenLight> light;
+  if (refine && mayBeInUnevenLight(marker, pattern, ranked, noise.sigma)) {
+    ranked = withEvenLight(view, pattern, ranked, settings, light, memory.pixels, memory.explained, *memory.fitter);
+  }
   const bool isInDoubt = refine && !marker.isCertain && pattern.sectors > 0;
   const auto isHopeless = [&](bool isCoarse) {
     return isInDoubt && !ranked.fits.empty() && !mayBePrint(ranked.fits[0], view, isCoarse);

@@ -51,6 +51,21 @@ struct vpSceneShadow
 };
 
 /*!
+  \struct vpSceneReflection
+  \ingroup group_circle_marker_simulator
+  \brief A lamp's soft reflection on a glossy surface: it adds to the light of paper and ink alike.
+
+  At the distance r from its centre, in pixels, grey exp(-r^2 / (2 radius^2)) is added, at the pixel's centre: it is to
+  be far wider than the lens' blur.
+*/
+struct vpSceneReflection
+{
+  vpImagePoint center; //!< Where it is brightest, in pixels.
+  double radius = 30.; //!< Standard deviation of its Gaussian shape, in pixels.
+  double grey = 60.;   //!< Grey level that it adds there under the reference light.
+};
+
+/*!
   \struct vpScenePhotometry
   \ingroup group_circle_marker_simulator
   \brief What turns a scene's geometry into grey levels, in the order in which a camera does it.
@@ -59,7 +74,7 @@ struct vpSceneShadow
      the shadow that falls on them.
   2. Motion during the exposure, blur of the lens (Gaussian and defocus disc), integration over the square pixels.
   3. Light, at the pixel's centre: L(u, v) = 1 + gradientU (u - u_c) / width + gradientV (v - v_c) / height,
-     where (u_c, v_c) is \e lightCenter or else the image's centre.
+     where (u_c, v_c) is \e lightCenter or else the image's centre; and what a glossy surface reflects.
   4. Gamma: grey = 255 (grey / 255)^gamma, after clamping to 0 ... 255; 1 is a linear sensor.
   5. Noise, independent in each pixel, then rounding and clamping to 8 bits.
   6. The loss of JPEG compression.
@@ -68,17 +83,18 @@ struct vpSceneShadow
 */
 struct vpScenePhotometry
 {
-  double paper = 220.;                     //!< Grey level of white paper.
-  double ink = 30.;                        //!< Grey level of black ink; the contrast is paper - ink.
-  double blurSigma = 0.7;                  //!< Standard deviation of the Gaussian blur, in pixels.
-  double defocusRadius = 0.;               //!< Radius of the defocus disc, in pixels.
-  double gradientU = 0.;                   //!< Relative change of the light over the image's width.
-  double gradientV = 0.;                   //!< Relative change of the light over the image's height.
-  std::optional<vpImagePoint> lightCenter; //!< Where the gradient leaves the light unchanged; empty: image centre.
-  std::optional<vpSceneShadow> shadow;     //!< Shadow with a straight edge.
-  double gamma = 1.;                       //!< Exponent of the sensor's response.
-  double noiseSigma = 2.;                  //!< Standard deviation of the noise, in grey levels.
-  std::optional<int> jpegQuality;          //!< Quality of JPEG compression, 1 to 100; empty: no compression.
+  double paper = 220.;                         //!< Grey level of white paper.
+  double ink = 30.;                            //!< Grey level of black ink; the contrast is paper - ink.
+  double blurSigma = 0.7;                      //!< Standard deviation of the Gaussian blur, in pixels.
+  double defocusRadius = 0.;                   //!< Radius of the defocus disc, in pixels.
+  double gradientU = 0.;                       //!< Relative change of the light over the image's width.
+  double gradientV = 0.;                       //!< Relative change of the light over the image's height.
+  std::optional<vpImagePoint> lightCenter;     //!< Where the gradient leaves the light unchanged; empty: image centre.
+  std::optional<vpSceneShadow> shadow;         //!< Shadow with a straight edge.
+  std::optional<vpSceneReflection> reflection; //!< A lamp's soft reflection, on all that is in the image.
+  double gamma = 1.;                           //!< Exponent of the sensor's response.
+  double noiseSigma = 2.;                      //!< Standard deviation of the noise, in grey levels.
+  std::optional<int> jpegQuality;              //!< Quality of JPEG compression, 1 to 100; empty: no compression.
 };
 
 /*!

@@ -1,0 +1,57 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Coarse fits of a marker in uneven light.
+ */
+
+#ifndef VP_CIRCLE_MARKER_MISSED_LIGHT_H
+#define VP_CIRCLE_MARKER_MISSED_LIGHT_H
+
+#include <optional>
+#include <vector>
+
+#include "refine/coarse_fits.h"
+#include "refine/uneven_light.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*!
+  Whether coarse fits of a marker that was read for certain leave so much that the light on it may be uneven. This is
+  not asked of rings without a code, nor of covered markers.
+  \param marker : The marker.
+  \param pattern : Its print.
+  \param few : The fits.
+  \param noise : Standard deviation of the image's noise, grey levels.
+*/
+bool mayBeInUnevenLight(const Recognition &marker, const MarkerPattern &pattern, const RankedFits &few, double noise);
+
+/*!
+  Coarse fits in even light, by the light that such fits show in what they leave.
+  \param view : The marker; it takes the light.
+  \param pattern : The print.
+  \param few : The fits.
+  \param settings : Of the fits.
+  \param light : Where the light is kept, as long as the view is used.
+  \param pixels : The pixels that were fitted; those of the last fit.
+  \param explained : Working memory.
+  \param fitter : Fits.
+  \return The fits as they are if those in even light do not leave far less.
+*/
+RankedFits withEvenLight(MarkerInImage &view, const MarkerPattern &pattern, const RankedFits &few,
+                         const FitSettings &settings, std::optional<UnevenLight> &light, std::vector<FitPixel> &pixels,
+                         std::vector<ExplainedPixel> &explained, Fitter &fitter);
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif
