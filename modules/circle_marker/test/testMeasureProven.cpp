@@ -148,7 +148,7 @@ TEST(MeasureProven, SectorsAsTheyWereReadLeadToTheCode)
     countWithout += prove(I, scene, without) ? 1 : 0;
     marker.darkness.emplace();
     for (unsigned int k = 0; k < family.getNbSectors(); ++k) {
-      const bool isBlack = (scene.word >> (family.getNbSectors() - 1 - k) & 1U) != 0;
+      const bool isBlack = isSectorBlack(scene.word, k, family.getNbSectors());
       (*marker.darkness)[k] = static_cast<float>((isBlack ? 0.7 : 0.3) + uniform(random, -0.3, 0.3));
     }
     if (prove(I, scene, marker)) {

@@ -135,9 +135,7 @@ TEST(WordEvidence, LeavesOutWhatTheWordDoesNotExplain)
     evidence.leaveOutUnexplained(marker.word, seen);
     for (unsigned int k = 0; k < sectors; ++k) {
       const unsigned int middle = coveredSamplesPerSector * k + coveredSamplesPerSector / 2;
-      const auto isBlack = [&](unsigned int sector) {
-        return ((marker.word >> (sectors - 1 - sector % sectors)) & 1U) != 0;
-      };
+      const auto isBlack = [&](unsigned int sector) { return isSectorBlack(marker.word, sector % sectors, sectors); };
       EXPECT_EQ(seen.ring[middle], k >= hidden) << k;
       EXPECT_EQ(seen.center[middle], seen.track[middle] && k % 2 == 0) << k;
       // White ones beside black ones are narrow enough to feel the blur of what is missing there.

@@ -304,7 +304,7 @@ TrackPixels::Kinds TrackPixels::kindsOf(CyclicCode::Word word) const
 {
   Kinds kinds;
   for (unsigned int k = 0; k < m_sectors; ++k) {
-    kinds[k] = ((word >> (m_sectors - 1 - k)) & 1U) != 0 ? Kind::BLACK : Kind::WHITE;
+    kinds[k] = isSectorBlack(word, k, m_sectors) ? Kind::BLACK : Kind::WHITE;
   }
   return kinds;
 }
