@@ -46,11 +46,9 @@ constexpr double leastShareOfPixels = 0.25;
 constexpr double mostOfOther = 0.15;
 // Weights of a sector that only pixels tell which may be covered by something like them.
 constexpr double doubtfulWeight = 0.3;
-// Steps by which the grid of sectors is turned, of a sector: from the first look, and once sectors are known; and what
-// is left at the end, a twentieth of a pixel on a track of 60 pixels.
+// Steps by which the grid of sectors is turned, of a sector: from the first look, and once sectors are known.
 constexpr double firstStep = 1. / 12.;
 constexpr double secondStep = 1. / 24.;
-constexpr double leastStep = 1. / 200.;
 // So many pixels tell as much as all.
 constexpr double enoughPixels = 3000.;
 } // namespace
@@ -243,20 +241,10 @@ double TrackPixels::fitOf(const Kinds &kinds) const
 // Turns the grid of sectors to the phase about the present one that agrees best with what the sectors are.
 void TrackPixels::improvePhase(const Kinds &kinds, double firstStep)
 {
-  double fit = fitOf(kinds);
-  double best = m_phase;
-  for (double step = firstStep; step > leastStep; step *= 0.5) {
-    const double from = best;
-    for (const double side : {-1., 1.}) {
-      turnTo(from + side * step * 2. * M_PI / m_sectors);
-      const double here = fitOf(kinds);
-      if (here > fit) {
-        fit = here;
-        best = m_phase;
-      }
-    }
-  }
-  turnTo(best);
+  turnTo(leastPhase(m_phase, m_sectors, firstStep, [&](double phase) {
+    turnTo(phase);
+    return -fitOf(kinds);
+  }));
 }
 
 // What is known of the sectors if nothing is known of their neighbours at first.
@@ -278,7 +266,7 @@ void TrackPixels::improve(SectorReading &reading)
 {
   Kinds unknown;
   unknown.fill(Kind::UNKNOWN);
-  turnTo(reading.phase);
+  m_phase = reading.phase;
   improvePhase(unknown, firstStep);
   improvePhase(kindsAlone(), secondStep);
   const Kinds kinds = kindsAlone();
