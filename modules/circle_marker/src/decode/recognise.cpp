@@ -140,12 +140,10 @@ Recognition blurredMarkerOf(const BlurredReading &reading, const vpCircleMarkerF
   result.code = reading.code;
   result.poses = {reading.fit.plane, reading.twin};
   result.blurred = reading.poses;
-  Eigen::Matrix<double, 6, 6> back = Eigen::Matrix<double, 6, 6>::Zero();
-  back.topLeftCorner<3, 3>() = Eigen::AngleAxisd(-reading.code.spin, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  back.bottomRightCorner<3, 3>() = back.topLeftCorner<3, 3>();
+  const Eigen::Matrix3d back = Eigen::AngleAxisd(-reading.code.spin, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   for (std::size_t i = 0; i < result.poses.size(); ++i) {
     result.poses[i].spin(reading.code.spin);
-    result.blurred->covariance[i] = back * reading.poses.covariance[i] * back.transpose();
+    result.blurred->covariance[i] = turnedCovariance(reading.poses.covariance[i], back);
   }
   return result;
 }
