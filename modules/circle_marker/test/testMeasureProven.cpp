@@ -252,7 +252,7 @@ TEST(MeasureProven, OverExposedCodesMayBeOthers)
     }
     Measurement measurement; // the true one
     measurement.first.plane = scene.plane();
-    measurement.first.photometry.light = scene.white;
+    measurement.first.photometry.white = scene.white;
     measurement.first.photometry.absorption = 1. - scene.black / scene.white;
     measurement.first.photometry.blur.sigma = blur;
     measurement.first.noise = noise;

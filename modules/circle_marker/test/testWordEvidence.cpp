@@ -237,7 +237,7 @@ TEST(WordEvidence, WhiteThatIsCutOffIsBelievedLessThanWhatTheSensorTells)
       return evidence.likeliest(code);
     };
     const LikeliestWord usual = likeliest(I);
-    ring.light *= exposure;
+    ring.photometry.white *= exposure;
     const LikeliestWord best = likeliest(over);
     EXPECT_EQ(best.word, marker.word);
     EXPECT_GT(best.odds, 7.);
@@ -266,7 +266,7 @@ TEST(WordEvidence, KnowsHowMuchLargerBlackIs)
     const vpImage<unsigned char> I = photograph(150, 150, lens, grown);
     const auto seenWith = [&](double told) {
       MeasuredRing ring = measuredRing(marker);
-      ring.growth = told;
+      ring.photometry.blur.spread = told;
       const TrackPixels pixels(I, CameraModel(marker.camera()), ring, family, memory);
       WordEvidence evidence(pixels);
       evidence.turnTo(0.);

@@ -286,7 +286,7 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   std::optional<SeenParts> most;
   for (const MarkerPlane &plane : poses) {
     auto reading = readCoveredSectors(I, camera, plane, family);
-    if (reading && looksLikeCode(reading->sectors) && (!most || reading->seen.share() > most->share())) {
+    if (reading && looksLikeCode(reading->sectors) && (!most || reading->seen.share() > most->shareOfRing())) {
       most = reading->seen;
       most->track.reset();
       most->center.reset();

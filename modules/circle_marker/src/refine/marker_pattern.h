@@ -25,7 +25,7 @@
 #include <Eigen/Core>
 
 #include "decode/cyclic_code.h"
-#include "refine/paper_end.h"
+#include "decode/paper_end.h"
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 

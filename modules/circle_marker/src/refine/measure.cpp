@@ -105,15 +105,15 @@ RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &sett
 // The light that a measured ring tells, in the coordinates of a frame. That of a covered one has no shadow.
 Photometry lightOf(const MeasuredRing &ring, const ImageFrame &frame)
 {
-  Photometry photometry;
-  photometry.light = ring.whiteAt(frame.center);
+  const Photometry &told = ring.photometry;
+  const Eigen::Vector2d slope = told.lightGradient / ring.frame.size; // by the pixel
+  Photometry photometry;                                              // of what lies around it nothing is known
+  photometry.white = ring.whiteAt(frame.center);
   photometry.lightGradient =
-      frame.size * ring.slope / std::max(1. + ring.slope.dot(frame.center - ring.origin), leastLight);
-  photometry.absorption = ring.absorption;
-  photometry.gamma = ring.gamma;
-  photometry.blur.sigma = ring.blur;
-  photometry.blur.setShape(ring.blurShape);
-  photometry.blur.spread = ring.growth;
+      frame.size * slope / std::max(1. + slope.dot(frame.center - ring.frame.center), leastLight);
+  photometry.absorption = told.absorption;
+  photometry.gamma = told.gamma;
+  photometry.blur = told.blur;
   return photometry;
 }
 
