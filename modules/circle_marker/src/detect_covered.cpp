@@ -240,15 +240,15 @@ std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, co
     return std::nullopt;
   }
   Recognition covered = marker;
-  covered.ring = ringOf(measurement.first, marker.poses[0], camera);
+  covered.measuredRing = ringOf(measurement.first, marker.poses[0], camera);
   // A start: what is measured next begins with a flat sheet.
   covered.poses = {plane.flattened(), mirrored(plane.flattened())};
-  TrackPixels pixels(I, camera, *covered.ring, marker.family, memory.track);
+  TrackPixels pixels(I, camera, *covered.measuredRing, marker.family, memory.track);
   WordEvidence evidence(pixels);
   evidence.turnTo(0.);
   evidence.leaveOutUnexplained(marker.family.getCodeword(marker.code.id), reading->seen);
   covered.seen = reading->seen;
-  return reading->seen.share() < wholeRing ? std::make_optional(std::move(covered)) : std::nullopt;
+  return reading->seen.shareOfRing() < wholeRing ? std::make_optional(std::move(covered)) : std::nullopt;
 }
 
 void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector<Attempt> &attempts)

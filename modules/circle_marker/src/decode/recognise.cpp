@@ -286,7 +286,7 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   std::optional<SeenParts> most;
   for (const MarkerPlane &plane : poses) {
     auto reading = readCoveredSectors(I, camera, plane, family);
-    if (reading && looksLikeCode(reading->sectors) && (!most || reading->seen.share() > most->shareOfRing())) {
+    if (reading && looksLikeCode(reading->sectors) && (!most || reading->seen.shareOfRing() > most->shareOfRing())) {
       most = reading->seen;
       most->track.reset();
       most->center.reset();
@@ -333,7 +333,7 @@ Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const Came
   }
   Recognition result = markerOf({rings[0]->plane, rings[1]->plane}, family, codes, best);
   result.seen = seen[best];
-  result.ring = *rings[best];
+  result.measuredRing = *rings[best];
   return result;
 }
 } // namespace circle_marker

@@ -78,7 +78,7 @@ struct SeenParts
   }
 
   /*! Share of the ring that is seen. */
-  double share() const { return static_cast<double>(ring.count()) / directions; }
+  double shareOfRing() const { return static_cast<double>(ring.count()) / directions; }
 
 private:
   // The direction in which a point of the plane lies.

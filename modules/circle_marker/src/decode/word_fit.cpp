@@ -176,7 +176,7 @@ bool WordEvidence::isOtherPrint(CyclicCode::Word word, const SeenParts &seen) co
   }
   const bool hasBoth = ink + paper > leastOtherPrint * all && std::min(ink, paper) > leastOfEither * all;
   const bool isInside =
-      seen.share() > wholeRing && unexplained > muchOfTrack * all && ink + paper > likePrint * unexplained;
+      seen.shareOfRing() > wholeRing && unexplained > muchOfTrack * all && ink + paper > likePrint * unexplained;
   return hasBoth || isInside;
 }
 

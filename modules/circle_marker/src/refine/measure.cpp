@@ -86,7 +86,7 @@ constexpr int mostTwins = 2;
 // Whether the sheet may be bent, as far as the fit can tell: where too much is covered a bend explains what covers it.
 bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
 {
-  const bool isMostlySeen = !marker.seen || marker.seen->share() > leastSeenOfBent;
+  const bool isMostlySeen = !marker.seen || marker.seen->shareOfRing() > leastSeenOfBent;
   return isMostlySeen && !marker.darkness && pattern.sectors > 0;
 }
 
@@ -95,11 +95,11 @@ RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &sett
                        MeasureMemory &memory)
 {
   const Recognition &marker = view.marker;
-  RankedFits few = fitFewPixels(view, pattern, refine, settings, memory.pixels, *memory.fitter);
-  if (refine && mayHaveShadow(marker, pattern, few)) {
-    few = withMissedShadow(view, pattern, few, settings, memory.pixels, memory.explained, *memory.fitter);
+  RankedFits coarse = fitFewPixels(view, pattern, refine, settings, memory.pixels, *memory.fitter);
+  if (refine && mayHaveShadow(marker, pattern, coarse)) {
+    coarse = withMissedShadow(view, pattern, coarse, settings, memory.pixels, memory.explained, *memory.fitter);
   }
-  return few;
+  return coarse;
 }
 
 // The light that a measured ring tells, in the coordinates of a frame. That of a covered one has no shadow.
@@ -125,10 +125,10 @@ RankedFits fitsOfRing(const MarkerInImage &view)
   for (const MarkerPlane &plane : view.marker.poses) {
     FittedPose fit;
     fit.plane = plane;
-    fit.photometry = lightOf(*view.marker.ring, view.frame);
+    fit.photometry = lightOf(*view.marker.measuredRing, view.frame);
     ranked.fits.push_back(fit);
   }
-  ranked.noise = view.marker.ring->noise;
+  ranked.noise = view.marker.measuredRing->noise;
   return ranked;
 }
 
@@ -329,7 +329,8 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   const MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
   FitSettings settings = settingsFor(view, pattern, deadline);
   settings.noise = noise;
-  RankedFits ranked = marker.ring && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
+  RankedFits ranked =
+      marker.measuredRing && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
   if (refine && !marker.isCertain && !ranked.fits.empty() && ranked.fits[0].correlation < leastCorrelationInDoubt) {
     return std::nullopt;
   }
