@@ -147,6 +147,19 @@ void castShadowOnAGradient(Random &random, double diameter, const vpImagePoint &
   photometry.gamma = 2.2;
 }
 
+// A lamp's soft reflection on glossy paper, which adds 70 % of the contrast to paper and ink.
+void reflectLamp(Random &random, double diameter, const vpImagePoint &place, vpScenePhotometry &photometry,
+                 vpSceneMotion &)
+{
+  photometry.paper = 150.; // so that the brighter side is not cut off
+  const auto aside = [&] { return uniform(random, -0.4, 0.4) * diameter; };
+  vpSceneReflection reflection;
+  reflection.center = vpImagePoint(place.get_v() + aside(), place.get_u() + aside());
+  reflection.radius = uniform(random, 0.2, 0.3) * diameter;
+  reflection.grey = 0.7 * (photometry.paper - photometry.ink);
+  photometry.reflection = reflection;
+}
+
 // The marker's image goes a quarter of its diameter during the exposure.
 void moveCamera(Random &random, double, const vpImagePoint &, vpScenePhotometry &, vpSceneMotion &motion)
 {
@@ -175,6 +188,21 @@ TEST(DetectorBadPictures, ShadowOnTheRing)
 TEST(DetectorBadPictures, ShadowOnAGradient)
 {
   expectFound(golay23, castShadowOnAGradient);
+}
+
+TEST(DetectorBadPictures, ReflectionOnTheCode)
+{
+  expectFound(golay23, reflectLamp);
+}
+
+TEST(DetectorBadPictures, ReflectionOnMoreSectors)
+{
+  expectFound(bch31r, reflectLamp);
+}
+
+TEST(DetectorBadPictures, CovarianceUnderAReflection)
+{
+  expectCovariance(golay23, reflectLamp);
 }
 
 TEST(DetectorBadPictures, LittleContrast)

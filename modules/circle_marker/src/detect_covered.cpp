@@ -162,9 +162,9 @@ std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> 
   if (!measurement) {
     return std::nullopt;
   }
-  const MeasuredRing first = ringOf(measurement->first, ring->poses[0], camera);
+  const MeasuredRing first = ringOf(*measurement, ring->poses[0], camera);
   const bool hasTwin = measurement->second && measurement->cost2 - measurement->cost < hopelessOdds;
-  const auto twin = hasTwin ? std::make_optional(ringOf(*measurement->second, ring->poses[0], camera)) : std::nullopt;
+  const auto twin = hasTwin ? std::make_optional(ringOf(*measurement, ring->poses[0], camera, false)) : std::nullopt;
   Judged<Recognition> marker = recogniseCovered(I, camera, first, twin, family, settings, memory.track, deadline);
   if (!marker) {
     return std::nullopt;
@@ -185,7 +185,7 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
   if (const auto verdict = verdictByFit(doubts, noise, measurement.first)) {
     return *verdict;
   }
-  const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
+  const MeasuredRing ring = ringOf(measurement, marker.poses[0], camera);
   TrackPixels pixels(I, camera, ring, marker.family, memory.track);
   pixels.turnTo(0.);
   const WholeVerdict verdict =
@@ -200,7 +200,7 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
   if (marker.code.hamming == 0 && isLikeIt) {
     return true;
   }
-  const TrackPixels pixels(I, camera, ringOf(measurement.first, marker.poses[0], camera), marker.family, memory.track);
+  const TrackPixels pixels(I, camera, ringOf(measurement, marker.poses[0], camera), marker.family, memory.track);
   return isLikeliest(pixels, marker.family.getCodeword(marker.code.id), marker.family);
 }
 
@@ -211,7 +211,7 @@ bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, 
   if (!marker.family.isCoded() || marker.blurred || !isAsked) {
     return false;
   }
-  const TrackPixels pixels(I, camera, ringOf(measurement.first, marker.poses[0], camera), marker.family, memory.track);
+  const TrackPixels pixels(I, camera, ringOf(measurement, marker.poses[0], camera), marker.family, memory.track);
   WordEvidence evidence(pixels);
   evidence.turnTo(0.);
   const OtherColours other = evidence.otherColours(marker.family.getCodeword(marker.code.id));
@@ -240,15 +240,15 @@ std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, co
     return std::nullopt;
   }
   Recognition covered = marker;
-  covered.ring = ringOf(measurement.first, marker.poses[0], camera);
+  covered.measuredRing = ringOf(measurement, marker.poses[0], camera);
   // A start: what is measured next begins with a flat sheet.
   covered.poses = {plane.flattened(), mirrored(plane.flattened())};
-  TrackPixels pixels(I, camera, *covered.ring, marker.family, memory.track);
+  TrackPixels pixels(I, camera, *covered.measuredRing, marker.family, memory.track);
   WordEvidence evidence(pixels);
   evidence.turnTo(0.);
   evidence.leaveOutUnexplained(marker.family.getCodeword(marker.code.id), reading->seen);
   covered.seen = reading->seen;
-  return reading->seen.share() < wholeRing ? std::make_optional(std::move(covered)) : std::nullopt;
+  return reading->seen.shareOfRing() < wholeRing ? std::make_optional(std::move(covered)) : std::nullopt;
 }
 
 void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector<Attempt> &attempts)

@@ -72,7 +72,7 @@ Crossing crossingAt(const MeasuredRing &ring, const CameraModel &camera, double 
   const Eigen::Vector2d toRim(std::cos(angle), std::sin(angle));
   const auto pixelAt = [&](const Eigen::Vector2d &q) { return camera.toPixel(ring.plane.project(q)); };
   // Across the edge: from afar it is slanted to the direction from the centre.
-  const double outer = 1. + ring.growth;
+  const double outer = 1. + ring.photometry.blur.spread;
   Crossing crossing;
   crossing.rim = pixelAt(outer * toRim);
   const Eigen::Vector2d along = pixelAt(outer * toRim + 0.01 * Eigen::Vector2d(-toRim.y(), toRim.x())) - crossing.rim;
@@ -80,7 +80,7 @@ Crossing crossingAt(const MeasuredRing &ring, const CameraModel &camera, double 
   crossing.across = Eigen::Vector2d(along.y(), -along.x()).normalized();
   crossing.across *= crossing.across.dot(beyond) < 0. ? -1. : 1.;
   crossing.reach = crossing.across.dot(beyond);
-  crossing.blur = ring.blur * (ring.blurShape * crossing.across).norm();
+  crossing.blur = ring.photometry.blur.along(crossing.across);
   return crossing;
 }
 
@@ -111,33 +111,16 @@ void addShiftDoubt(double halo, const CameraModel &camera, FittedPose &fit)
 }
 } // namespace
 
-MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const CameraModel &camera)
+MeasuredRing ringOf(const Measurement &measurement, const MarkerPlane &start, const CameraModel &camera, bool isFirst)
 {
-  MeasuredRing ring;
-  ring.plane = fit.plane;
-  const ImageFrame frame = frameOf(start, camera);
-  ring.origin = frame.center;
-  ring.light = fit.photometry.light;
-  ring.slope = fit.photometry.lightGradient / frame.size;
-  ring.absorption = fit.photometry.absorption;
-  ring.gamma = fit.photometry.gamma;
-  ring.growth = fit.photometry.blur.spread;
-  ring.blur = fit.photometry.blur.sigma;
-  ring.blurShape = fit.photometry.blur.shape();
-  ring.noise = fit.noise;
-  if (const auto &shadow = fit.photometry.shadow) {
-    const Eigen::Vector2d toDark(std::cos(shadow->direction), std::sin(shadow->direction));
-    ring.shade = shadow->factor;
-    ring.toShade = toDark / (shadow->softness * frame.size);
-    ring.shadeEdge = shadow->edge / shadow->softness;
-  }
-  return ring;
+  const FittedPose &fit = isFirst ? measurement.first : *measurement.second;
+  return {fit.plane, frameOf(start, camera), fit.photometry, fit.noise, measurement.uneven};
 }
 
 double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
                      const Measurement &measurement)
 {
-  const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
+  const MeasuredRing ring = ringOf(measurement, marker.poses[0], camera);
   const double slack = sameLevel + sameLevelOfNoise * ring.noiseOfLevel();
   int visible = 0;
   for (int i = 0; i < directionsOfEdge; ++i) {
@@ -160,7 +143,7 @@ double visibleEdgeOf(const vpImage<unsigned char> &I, const CameraModel &camera,
 std::optional<double> haloOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
                              const Measurement &measurement)
 {
-  const MeasuredRing ring = ringOf(measurement.first, marker.poses[0], camera);
+  const MeasuredRing ring = ringOf(measurement, marker.poses[0], camera);
   const double width = 1. - marker.family.getLayout().ringInner; // of the ring, outer radii
   std::array<std::array<double, directionsOfHalo>, distancesOfHalo.size()> off;
   std::array<std::size_t, distancesOfHalo.size()> counts{};

@@ -32,8 +32,15 @@ namespace circle_marker {
 */
 constexpr double leastHalo = 0.01;
 
-/*! What a ring's measurement, which started from a pose, tells of its light and blur. */
-MeasuredRing ringOf(const FittedPose &fit, const MarkerPlane &start, const CameraModel &camera);
+/*!
+  What a ring's measurement tells of its light and blur.
+  \param measurement : The measurement.
+  \param start : The pose from which it started.
+  \param camera : The camera.
+  \param isFirst : Whether that of its first pose is asked for, not that of the second.
+*/
+MeasuredRing ringOf(const Measurement &measurement, const MarkerPlane &start, const CameraModel &camera,
+                    bool isFirst = true);
 
 /*!
   Share of the directions in which the image shows the outer edge of a marker of which a part is covered: just inside

@@ -223,7 +223,7 @@ bool vpCircleMarkerFamily::isSectorBlack(int id, unsigned int sector) const
     throw vpException(vpException::badValue, "The family %s has no sector %u: use 0 to %u", getName().c_str(), sector,
                       getNbSectors() - 1);
   }
-  return (word >> (getNbSectors() - 1 - sector)) & 1;
+  return circle_marker::isSectorBlack(word, sector, getNbSectors());
 }
 
 END_VISP_NAMESPACE

@@ -360,7 +360,7 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
   const double visible = marker.blurred        ? 1.
                          : !marker.seen        ? outline.support
                          : settings.refinePose ? visibleEdgeOf(visit.I, visit.camera, marker, *measurement)
-                                               : marker.seen->share();
+                                               : marker.seen->shareOfRing();
   vpCircleMarkerDetection &detection = measured.detection;
   putReport(marker, *measurement, visit.camera, visible, settings.zAlignedWithCameraAxis, detection);
   if (settings.refinePose && marker.family.getType() == vpCircleMarkerFamily::RING &&

@@ -72,8 +72,8 @@ TEST(BlurredMarker, AtThePoseAndBlurTheSectorsAreWhatTheyAre)
     EXPECT_NEAR(fit.linear[0], paper, 0.05 * contrast);
     EXPECT_NEAR(fit.linear[BlurredFit::ringAt], contrast, 0.1 * contrast);
     for (int k = 0; k < 23; ++k) {
-      const bool isBlack = (scene.word >> (22 - k)) & 1U;
-      EXPECT_EQ(fit.linear[BlurredFit::firstSector + k] > 0.5 * contrast, isBlack) << "sector " << k;
+      EXPECT_EQ(fit.linear[BlurredFit::firstSector + k] > 0.5 * contrast, isSectorBlack(scene.word, k, 23))
+          << "sector " << k;
     }
   }
 }

@@ -41,7 +41,7 @@ double leftBy(CyclicCode::Word word, const BlurredFit &fit, int sectors)
   parts.topLeftCorner(light, light).setIdentity();
   parts(BlurredFit::ringAt, light) = 1.;
   for (int k = 0; k < sectors; ++k) {
-    parts(BlurredFit::firstSector + k, light) = (word >> (sectors - 1 - k)) & 1U;
+    parts(BlurredFit::firstSector + k, light) = isSectorBlack(word, k, sectors) ? 1. : 0.;
   }
   const Eigen::VectorXd right = parts.transpose() * fit.right;
   return fit.total - right.dot((parts.transpose() * fit.matrix * parts).ldlt().solve(right));

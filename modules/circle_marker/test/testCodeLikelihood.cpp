@@ -35,7 +35,7 @@ FittedPose fitOf(const MarkerScene &scene, double spin)
   FittedPose fit;
   fit.plane = scene.plane();
   fit.plane.spin(-spin);
-  fit.photometry.light = scene.white;
+  fit.photometry.white = scene.white;
   fit.photometry.absorption = 1. - scene.black / scene.white;
   fit.photometry.blur.sigma = std::sqrt(blur * blur + 1. / 12.);
   fit.noise = noise;
@@ -261,7 +261,7 @@ TEST(CodeLikelihood, NoneWhereTheModelDoesNotHold)
   CodeImage track;
   FittedPose fit = fitOf(scene, 0.);
   ASSERT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track));
-  fit.photometry.light = 400.;
+  fit.photometry.white = 400.;
   EXPECT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track)) << "no pixel is as bright as that";
   vpImage<unsigned char> tooBright = I;
   for (unsigned int i = 0; i < tooBright.getSize(); ++i) {

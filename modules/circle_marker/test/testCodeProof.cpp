@@ -32,7 +32,7 @@ const vpCircleMarkerFamily bch(vpCircleMarkerFamily::BCH31);     // 15
 FittedPose fitThatLeaves(double left, double correlation = 0.99)
 {
   FittedPose fit;
-  fit.photometry.light = 200.;
+  fit.photometry.white = 200.;
   fit.photometry.absorption = 0.75;
   fit.noise = left;
   fit.correlation = correlation;
@@ -140,7 +140,7 @@ TEST(CodeProof, WhatIsProvenLooksLikeAPrint)
 TEST(CodeProof, WhatNoSensorTellsIsNoContrastToLackAShareOf)
 {
   FittedPose fit = fitThatLeaves(6.2); // 1.2 times the noise and 0.3 % of 255 are 6.4
-  fit.photometry.light = 515.;
+  fit.photometry.white = 515.;
   fit.photometry.absorption = 1.;
   EXPECT_TRUE(proves(40.1, fit, 4.7, false));
   fit.noise = 6.8; // and of 515, 7.2

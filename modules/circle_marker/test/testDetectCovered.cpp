@@ -172,7 +172,7 @@ TEST(DetectCovered, WhatNothingConfirmsIsWrong)
     MeasuredMarker measured(scene, i, random);
     ASSERT_TRUE(measured.measurement);
     const Photometry &photometry = measured.measurement->first.photometry;
-    const double contrast = photometry.light * photometry.contrast();
+    const double contrast = photometry.white * photometry.contrast();
     const auto verdictIf = [&](double sigma, double left) {
       Measurement changed = *measured.measurement;
       changed.first.photometry.blur.sigma = sigma;

@@ -36,7 +36,7 @@ TEST(FitPreparation, PixelsAreSortedAgainWhenThePrintHasTurned)
   Likelihood likelihood(made.pattern, settings, memory);
   FitPreparation preparation(made.pixels, settings, likelihood, memory);
   Photometry photometry;
-  photometry.light = paper;
+  photometry.white = paper;
   preparation.prepare(scene.plane(), photometry, 2.);
   const auto isStaleAfter = [&](double pixels) { // of the outline
     MarkerPlane turned = scene.plane();

@@ -29,8 +29,8 @@
 #include <Eigen/LU>
 
 #include "refine/fit_pixels.h"
-#include "refine/image_model.h"
 #include "refine/maximum_likelihood.h"
+#include "testDarkness.h"
 #include "testRoomTools.h"
 
 namespace fit_test {

@@ -37,7 +37,7 @@ double greyAt(const Photometry &photometry, const Eigen::Vector2d &offset, doubl
 Photometry randomLight(Random &random)
 {
   Photometry photometry;
-  photometry.light = uniform(random, 60., 130.); // and below 255 at the brighter end
+  photometry.white = uniform(random, 60., 130.); // and below 255 at the brighter end
   photometry.lightGradient = Eigen::Vector2d(uniform(random, -0.4, 0.4), uniform(random, -0.4, 0.4));
   photometry.absorption = uniform(random, 0.3, 0.95);
   photometry.gamma = std::exp(uniform(random, -0.8, 0.8));
@@ -49,7 +49,7 @@ TEST(GreyModel, GammaIsOfAllTheLight)
 {
   // 200 (1.2 * 0.5 * (1 - 0.8 * 0.5))^2.2 far inside a shadow that leaves half of the light.
   Photometry photometry;
-  photometry.light = 200.;
+  photometry.white = 200.;
   photometry.lightGradient = Eigen::Vector2d(0.4, 0.);
   photometry.absorption = 0.8;
   photometry.gamma = 2.2;

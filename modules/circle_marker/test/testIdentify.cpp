@@ -41,7 +41,7 @@ SectorReading clearReading(std::uint32_t word, unsigned int sectors)
   SectorReading reading;
   reading.sectors = sectors;
   for (unsigned int k = 0; k < sectors; ++k) {
-    reading.soft[k] = (word >> (sectors - 1 - k)) & 1U ? 1. : -1.;
+    reading.soft[k] = isSectorBlack(word, k, sectors) ? 1. : -1.;
   }
   reading.contrast = 1.;
   return reading;

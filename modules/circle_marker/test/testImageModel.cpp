@@ -15,11 +15,11 @@
  * The image model against brute-force integration, and its derivatives against finite differences.
  */
 
+#include "testDarkness.h"
 #include "testPatternDistance.h"
 #include "testRoomTools.h"
 
 #include "refine/fit_pixels.h"
-#include "refine/image_model.h"
 #include "support/camera_model.h"
 
 using namespace circle_marker;

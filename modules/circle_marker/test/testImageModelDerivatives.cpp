@@ -15,10 +15,10 @@
  * Derivatives of the image model against differences.
  */
 
+#include "testDarkness.h"
 #include "testPatternDistance.h"
 #include "testRoomTools.h"
 
-#include "refine/image_model.h"
 #include "support/camera_model.h"
 
 using namespace circle_marker;

@@ -54,7 +54,7 @@ TEST(MaximumLikelihood, ExactOnTheModelsOwnImages)
       if (family.isCoded()) {
         EXPECT_LT((fit->plane.rotation - truth.rotation).norm(), 2e-6) << family.getName();
       }
-      EXPECT_NEAR(fit->photometry.light, light.level, 2e-3);
+      EXPECT_NEAR(fit->photometry.white, light.level, 2e-3);
       EXPECT_NEAR(fit->photometry.contrast(), light.contrast, 2e-5);
       EXPECT_NEAR(fit->photometry.gamma, 1., 3e-3);
       EXPECT_LT((fit->photometry.gamma * light.level * fit->photometry.lightGradient - light.gradient).norm(), 5e-3);

@@ -201,7 +201,7 @@ TEST(MaximumLikelihoodLight, ExactWhereThePaperIsOverExposed)
       const MarkerPlane truth = made.scene.plane();
       EXPECT_LT((fit->plane.center - truth.center).norm() / truth.center.z(), 1e-5) << family.getName() << light.level;
       EXPECT_LT((fit->plane.rotation.col(2) - truth.rotation.col(2)).norm(), 1e-5) << family.getName() << light.level;
-      EXPECT_NEAR(fit->photometry.light, light.level, 0.5) << family.getName();
+      EXPECT_NEAR(fit->photometry.white, light.level, 0.5) << family.getName();
     }
   }
 }

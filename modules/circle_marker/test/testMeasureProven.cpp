@@ -148,7 +148,7 @@ TEST(MeasureProven, SectorsAsTheyWereReadLeadToTheCode)
     countWithout += prove(I, scene, without) ? 1 : 0;
     marker.darkness.emplace();
     for (unsigned int k = 0; k < family.getNbSectors(); ++k) {
-      const bool isBlack = (scene.word >> (family.getNbSectors() - 1 - k) & 1U) != 0;
+      const bool isBlack = isSectorBlack(scene.word, k, family.getNbSectors());
       (*marker.darkness)[k] = static_cast<float>((isBlack ? 0.7 : 0.3) + uniform(random, -0.3, 0.3));
     }
     if (prove(I, scene, marker)) {
@@ -252,7 +252,7 @@ TEST(MeasureProven, OverExposedCodesMayBeOthers)
     }
     Measurement measurement; // the true one
     measurement.first.plane = scene.plane();
-    measurement.first.photometry.light = scene.white;
+    measurement.first.photometry.white = scene.white;
     measurement.first.photometry.absorption = 1. - scene.black / scene.white;
     measurement.first.photometry.blur.sigma = blur;
     measurement.first.noise = noise;

@@ -27,10 +27,10 @@ namespace {
 MeasuredRing slopedRing()
 {
   MeasuredRing ring;
-  ring.origin = Eigen::Vector2d(50., 40.);
-  ring.light = 200.;
-  ring.slope = Eigen::Vector2d(1. / 200., 0.);
-  ring.absorption = 0.75;
+  ring.frame = {Eigen::Vector2d(50., 40.), 10.};
+  ring.photometry.white = 200.;
+  ring.photometry.lightGradient = Eigen::Vector2d(1. / 20., 0.);
+  ring.photometry.absorption = 0.75;
   ring.noise = 3.;
   return ring;
 }
@@ -50,10 +50,10 @@ TEST(MeasuredRing, LevelsAreThoseOfTheLightWhateverTheGamma)
 {
   MeasuredRing ring = slopedRing();
   for (const double gamma : {0.45, 2.2}) {
-    ring.gamma = gamma;
+    ring.photometry.gamma = gamma;
     for (const double level : {0., 0.3, 0.5, 1.}) {
-      const double light = 1. - ring.absorption * (1. - level); // share of the paper's
-      EXPECT_NEAR(ring.levelAt(ring.origin, 200. * std::pow(light, gamma)), level, 1e-12) << gamma;
+      const double light = 1. - ring.photometry.absorption * (1. - level); // share of the paper's
+      EXPECT_NEAR(ring.levelAt(ring.frame.center, 200. * std::pow(light, gamma)), level, 1e-12) << gamma;
       const Eigen::Vector2d right(70., 10.); // the light is 1.1 times that
       EXPECT_NEAR(ring.levelAt(right, 200. * std::pow(1.1 * light, gamma)), level, 1e-12) << gamma;
     }
@@ -63,14 +63,17 @@ TEST(MeasuredRing, LevelsAreThoseOfTheLightWhateverTheGamma)
 TEST(MeasuredRing, PaperIsDarkerBeyondTheEdgeOfAShadow)
 {
   MeasuredRing ring = slopedRing();
-  ring.slope.setZero();
-  ring.shade = 0.5;
-  ring.toShade = Eigen::Vector2d(0., 1.); // of 1 pixel of softness, downwards
-  ring.shadeEdge = 5.;
+  ring.photometry.lightGradient.setZero();
+  Shadow shadow;
+  shadow.factor = 0.5;
+  shadow.direction = M_PI_2; // downwards
+  shadow.edge = 0.5;         // 5 pixels
+  shadow.softness = 0.1;
+  ring.photometry.shadow = shadow;
   EXPECT_NEAR(ring.whiteAt(Eigen::Vector2d(50., 35.)), 200., 1e-6);
   EXPECT_NEAR(ring.whiteAt(Eigen::Vector2d(50., 45.)), 150., 1e-6);
   EXPECT_NEAR(ring.whiteAt(Eigen::Vector2d(50., 55.)), 100., 1e-6);
-  ring.gamma = 2.2;
+  ring.photometry.gamma = 2.2;
   EXPECT_NEAR(ring.whiteAt(Eigen::Vector2d(50., 45.)), 200. * std::pow(0.75, 2.2), 1e-6);
 }
 
@@ -80,16 +83,17 @@ TEST(MeasuredRing, NoiseOfALevelIsTheGreatestOnInkOrPaper)
   EXPECT_NEAR(ring.noiseOfLevel(), 3. / (200. * 0.75), 1e-12);
   const double little = 1e-4; // grey levels
   for (const double gamma : {0.45, 1.3, 1.9}) {
-    ring.gamma = gamma;
+    ring.photometry.gamma = gamma;
     const auto noiseAt = [&](double grey) {
-      const double more = ring.levelAt(ring.origin, grey + little) - ring.levelAt(ring.origin, grey - little);
+      const double more =
+          ring.levelAt(ring.frame.center, grey + little) - ring.levelAt(ring.frame.center, grey - little);
       return ring.noise * more / (2. * little);
     };
     const double ink = 200. * std::pow(0.25, gamma);
     EXPECT_NEAR(ring.noiseOfLevel() / std::max(noiseAt(ink), noiseAt(200.)), 1., 1e-3) << gamma;
   }
-  ring.gamma = 2.2;
-  ring.absorption = 1.; // black ink, at which levels have no end of noise: that of grey ink is told
+  ring.photometry.gamma = 2.2;
+  ring.photometry.absorption = 1.; // black ink, at which levels have no end of noise: that of grey ink is told
   EXPECT_NEAR(ring.noiseOfLevel(), 3. / 200. * std::pow(0.05, 1. / 2.2 - 1.) / 2.2, 1e-12);
 }
 
@@ -97,7 +101,7 @@ TEST(MeasuredRing, WhiteIsCutOffWherePaperIsBrighterThanTheSensorTells)
 {
   MeasuredRing ring = slopedRing();
   const Eigen::Vector2d right(110., 40.); // paper is 260 there
-  EXPECT_FALSE(ring.isCutOff(ring.origin, 255.));
+  EXPECT_FALSE(ring.isCutOff(ring.frame.center, 255.));
   EXPECT_TRUE(ring.isCutOff(right, 255.));
   EXPECT_TRUE(ring.isCutOff(right, 254.));
   EXPECT_FALSE(ring.isCutOff(right, 250.));

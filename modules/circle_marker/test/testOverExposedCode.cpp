@@ -53,7 +53,7 @@ std::optional<double> oddsOf(const vpImage<unsigned char> &I, const MarkerScene 
 {
   FittedPose fit; // the true one
   fit.plane = scene.plane();
-  fit.photometry.light = scene.white;
+  fit.photometry.white = scene.white;
   fit.photometry.absorption = 1. - scene.black / scene.white;
   fit.photometry.blur.sigma = std::sqrt(blur * blur + 1. / 12.);
   fit.noise = noise;

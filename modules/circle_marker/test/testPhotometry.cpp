@@ -15,7 +15,7 @@
  * Test of the blur's shape, and of light, ink and gamma.
  */
 
-#include "refine/photometry.h"
+#include "decode/photometry.h"
 
 #include <gtest/gtest.h>
 
@@ -36,6 +36,7 @@ TEST(Photometry, BlurIsLongerInTheDirectionOfTheMotion)
   blur.elongation = Eigen::Vector2d(0., std::log(2.));
   const Eigen::Vector2d diagonal = Eigen::Vector2d(1., 1.).normalized();
   EXPECT_LT((blur.shape() * diagonal - 2. * diagonal).norm(), 1e-12);
+  EXPECT_NEAR(blur.along(diagonal), 1.8, 1e-12);
 }
 
 TEST(Photometry, ElongationsAddUpAsCovariancesDo)
@@ -64,7 +65,7 @@ TEST(Photometry, ElongationsAddUpAsCovariancesDo)
 TEST(Photometry, GreyLevelsAreTheLightToThePowerOfGamma)
 {
   Photometry photometry;
-  photometry.light = 200.;
+  photometry.white = 200.;
   photometry.lightGradient = Eigen::Vector2d(0.5, 0.);
   photometry.absorption = 0.75;
   EXPECT_NEAR(photometry.contrast(), 0.75, 1e-12);
@@ -91,12 +92,12 @@ TEST(Photometry, GreyLevelsAreTheLightToThePowerOfGamma)
 TEST(Photometry, ASensorTellsNoMoreThanWhiteAndNoLessThanBlack)
 {
   Photometry photometry;
-  photometry.light = 200.;
+  photometry.white = 200.;
   photometry.absorption = 0.75;
   EXPECT_NEAR(photometry.tellableContrast(), 150., 1e-9);
   photometry.absorption = 1.2; // ink at -40
   EXPECT_NEAR(photometry.tellableContrast(), 200., 1e-9);
-  photometry.light = 400.;
+  photometry.white = 400.;
   EXPECT_NEAR(photometry.tellableContrast(), 255., 1e-9);
   photometry.absorption = 0.5; // ink at 200
   EXPECT_NEAR(photometry.tellableContrast(), 55., 1e-9);

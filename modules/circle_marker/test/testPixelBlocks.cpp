@@ -175,7 +175,7 @@ TEST(PixelBlocks, DoubtGrowsWithTheDifferenceOfTheSurround)
   const PlanePoint point = planePoint(pixel.model(), scene.plane());
   const double gradient = (point.byPixel.transpose() * point.q.normalized()).norm();
   Photometry photometry;
-  photometry.light = 200.;
+  photometry.white = 200.;
   photometry.surround = {{1., 0.}};
   const auto varianceOf = [&](double share, double beyond, double spread) {
     pixel.beyond[0] = {static_cast<float>(share), static_cast<float>(beyond), static_cast<float>(spread)};
@@ -236,11 +236,11 @@ TEST(PixelBlocks, TheSurroundIsJudgedAgainAsAtFirst)
   for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING}) {
     const vpCircleMarkerFamily family(type);
     Photometry first;
-    first.light = 150.;
+    first.white = 150.;
     Packed packed = pack(random, family, 30., first);
     ASSERT_FALSE(packed.blocks.surrounds.empty());
     Photometry other = first;
-    other.light = 230.;
+    other.white = 230.;
     other.surround = {{0.8, 0.1}};
     const MarkerPlane plane = packed.scene.plane();
     const PixelBlocks before = packed.blocks;

@@ -60,7 +60,7 @@ TEST(Recognise, AnUncertainCodeHasItsSectorsAsTheyWereRead)
       for (unsigned int k = 0; k < family.getNbSectors(); ++k) {
         const double beyondGrey = (*marker->darkness)[k] - 0.5;
         if (std::abs(beyondGrey) > clear) {
-          const bool isBlack = (scene.word >> (family.getNbSectors() - 1 - k) & 1U) != 0;
+          const bool isBlack = isSectorBlack(scene.word, k, family.getNbSectors());
           ++sectors;
           right += isBlack == (beyondGrey > 0.) ? 1 : 0;
         }

@@ -221,7 +221,7 @@ struct MarkerScene
     const unsigned int n = family.getNbSectors();
     const double turns = std::atan2(q.y(), q.x()) / (2. * M_PI);
     const unsigned int sector = static_cast<unsigned int>(std::floor((turns - std::floor(turns)) * n)) % n;
-    return (word >> (n - 1 - sector)) & 1U;
+    return circle_marker::isSectorBlack(word, sector, n);
   }
 
   double operator()(double u, double v) const

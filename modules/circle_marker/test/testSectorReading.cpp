@@ -63,7 +63,7 @@ TEST(SectorReading, SoftValuesAndPhaseAreRight)
         const double middle = reading->phase + (k + 0.5) * sector + spin;
         const double turns = middle / (2. * M_PI);
         const auto printed = static_cast<unsigned int>((turns - std::floor(turns)) * family.getNbSectors());
-        const bool black = (scene.word >> (family.getNbSectors() - 1 - printed)) & 1U;
+        const bool black = isSectorBlack(scene.word, printed, family.getNbSectors());
         EXPECT_GE(reading->soft[k], -1.);
         EXPECT_LE(reading->soft[k], 1.);
         EXPECT_GT(black ? reading->soft[k] : -reading->soft[k], 0.5) << family.getName() << " sector " << k;
@@ -141,7 +141,7 @@ TEST(SectorReading, UnevenLightDoesNotTurnSectors)
     const unsigned int shift = reading->phase > 0.5 * sector ? 1 : 0;
     for (unsigned int k = 0; k < reading->sectors; ++k) {
       const unsigned int printed = (k + shift) % family.getNbSectors();
-      const bool black = (scene.word >> (family.getNbSectors() - 1 - printed)) & 1U;
+      const bool black = isSectorBlack(scene.word, printed, family.getNbSectors());
       EXPECT_GT(black ? reading->soft[k] : -reading->soft[k], 0.3) << "sector " << k;
     }
   }

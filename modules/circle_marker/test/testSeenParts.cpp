@@ -65,7 +65,7 @@ struct Looked
   bool isBlack(unsigned int sector) const
   {
     const unsigned int n = family.getNbSectors();
-    return ((scene.word >> (n - 1 - sector % n)) & 1U) != 0;
+    return isSectorBlack(scene.word, sector % n, n);
   }
 };
 } // namespace

@@ -82,7 +82,7 @@ TEST(SurroundLanes, WhatIsSeenAndWhatIsNot)
   const PlaneLanes lanes = drawPoints(random, points);
   const PaperEnds papers = {{{PaperShape::ROUND, 1.2, 0.}, {PaperShape::SQUARE, 1.2, 0.3}}};
   Photometry photometry;
-  photometry.light = 200.;
+  photometry.white = 200.;
   photometry.surround = {{0.5, 0.}};
   std::array<FitPixel, laneCount> pixels;
   std::array<const FitPixel *, laneCount> pointers;

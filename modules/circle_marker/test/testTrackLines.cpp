@@ -73,8 +73,7 @@ TEST(TrackLines, AgreeWithIntegration)
             addSectors(piece, SectorBorders(sectors, 0.), shares);
           }
           for (int sector = 0; sector < sectors; ++sector) {
-            // Sector 0 is the most significant bit.
-            black += ((scene.word >> (sectors - 1 - sector)) & 1U) != 0 ? shares[sector] : 0.;
+            black += isSectorBlack(scene.word, sector, sectors) ? shares[sector] : 0.;
           }
           const double difference = std::abs(black - truth[v][u]);
           worst = std::max(worst, difference);

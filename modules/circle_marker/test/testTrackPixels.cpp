@@ -62,7 +62,7 @@ TEST(TrackPixels, FindThePhase)
     pixels.improve(reading);
     EXPECT_NEAR(reading.phase, 0., 0.02 * sector);
     for (unsigned int k = 0; k < reading.sectors; ++k) {
-      const bool black = (marker.word >> (reading.sectors - 1 - k)) & 1U;
+      const bool black = isSectorBlack(marker.word, k, reading.sectors);
       EXPECT_TRUE(reading.seen[k] == 0. || reading.soft[k] == (black ? 1. : -1.)) << "sector " << k;
     }
   }

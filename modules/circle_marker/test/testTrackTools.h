@@ -38,10 +38,9 @@ inline MeasuredRing measuredRing(const MarkerScene &scene)
 {
   MeasuredRing ring;
   ring.plane = scene.plane();
-  ring.origin = Eigen::Vector2d(75., 75.);
-  ring.light = scene.white;
-  ring.absorption = 1. - scene.black / scene.white;
-  ring.blur = std::sqrt(lens * lens + 1. / 12.); // with that of the pixel
+  ring.photometry.white = scene.white;
+  ring.photometry.absorption = 1. - scene.black / scene.white;
+  ring.photometry.blur.sigma = std::sqrt(lens * lens + 1. / 12.); // with that of the pixel
   ring.noise = 1.;
   return ring;
 }

@@ -135,9 +135,7 @@ TEST(WordEvidence, LeavesOutWhatTheWordDoesNotExplain)
     evidence.leaveOutUnexplained(marker.word, seen);
     for (unsigned int k = 0; k < sectors; ++k) {
       const unsigned int middle = coveredSamplesPerSector * k + coveredSamplesPerSector / 2;
-      const auto isBlack = [&](unsigned int sector) {
-        return ((marker.word >> (sectors - 1 - sector % sectors)) & 1U) != 0;
-      };
+      const auto isBlack = [&](unsigned int sector) { return isSectorBlack(marker.word, sector % sectors, sectors); };
       EXPECT_EQ(seen.ring[middle], k >= hidden) << k;
       EXPECT_EQ(seen.center[middle], seen.track[middle] && k % 2 == 0) << k;
       // White ones beside black ones are narrow enough to feel the blur of what is missing there.
@@ -239,7 +237,7 @@ TEST(WordEvidence, WhiteThatIsCutOffIsBelievedLessThanWhatTheSensorTells)
       return evidence.likeliest(code);
     };
     const LikeliestWord usual = likeliest(I);
-    ring.light *= exposure;
+    ring.photometry.white *= exposure;
     const LikeliestWord best = likeliest(over);
     EXPECT_EQ(best.word, marker.word);
     EXPECT_GT(best.odds, 7.);
@@ -268,7 +266,7 @@ TEST(WordEvidence, KnowsHowMuchLargerBlackIs)
     const vpImage<unsigned char> I = photograph(150, 150, lens, grown);
     const auto seenWith = [&](double told) {
       MeasuredRing ring = measuredRing(marker);
-      ring.growth = told;
+      ring.photometry.blur.spread = told;
       const TrackPixels pixels(I, CameraModel(marker.camera()), ring, family, memory);
       WordEvidence evidence(pixels);
       evidence.turnTo(0.);

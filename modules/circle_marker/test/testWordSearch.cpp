@@ -45,7 +45,7 @@ Squares trackOf(Random &random, CyclicCode::Word word, int sectors, double noise
     }
     double black = noise * normal(random);
     for (int sector = 0; sector < sectors; ++sector) {
-      black += ((word >> (sectors - 1 - sector)) & 1U) != 0 ? weights[sector] : 0.;
+      black += isSectorBlack(word, sector, sectors) ? weights[sector] : 0.;
     }
     squares.matrix += weights * weights.transpose();
     squares.right += black * weights;
@@ -58,7 +58,7 @@ double squaresOfWord(const Squares &squares, CyclicCode::Word word, int sectors)
 {
   SectorVector bits = SectorVector::Zero();
   for (int sector = 0; sector < sectors; ++sector) {
-    bits[sector] = ((word >> (sectors - 1 - sector)) & 1U) != 0 ? 1. : 0.;
+    bits[sector] = isSectorBlack(word, sector, sectors) ? 1. : 0.;
   }
   return squares.squares - 2. * squares.right.dot(bits) + bits.dot(squares.matrix * bits);
 }

@@ -29,21 +29,21 @@ namespace {
 class CodewordSquares
 {
 public:
-  CodewordSquares(const BlurredFit &fit, int sectors) : m_sectors(sectors), m_plain(fit.plain)
+  CodewordSquares(const BlurredFit &fit, unsigned int sectors) : m_sectors(sectors), m_plain(fit.plain)
   {
     const int light = BlurredFit::lightSize;
-    const int rest = 1 + sectors;
+    const Eigen::Index rest = 1 + sectors;
     const Eigen::MatrixXd inverse = fit.matrix.topLeftCorner(light, light).inverse();
     const Eigen::MatrixXd mixed = fit.matrix.bottomLeftCorner(rest, light);
     const Eigen::MatrixXd matrix = fit.matrix.bottomRightCorner(rest, rest) - mixed * inverse * mixed.transpose();
     const Eigen::VectorXd right = fit.right.tail(rest) - mixed * inverse * fit.right.head(light);
     m_ring = matrix(0, 0);
     m_ringRight = right[0];
-    for (int k = 0; k < sectors; ++k) {
-      m_right[static_cast<std::size_t>(k)] = right[1 + k];
-      m_diagonal[static_cast<std::size_t>(k)] = matrix(1 + k, 1 + k) + 2. * matrix(0, 1 + k);
-      for (int l = 0; l < sectors; ++l) {
-        m_matrix[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)] = matrix(1 + k, 1 + l);
+    for (unsigned int k = 0; k < sectors; ++k) {
+      m_right[k] = right[1 + k];
+      m_diagonal[k] = matrix(1 + k, 1 + k) + 2. * matrix(0, 1 + k);
+      for (unsigned int l = 0; l < sectors; ++l) {
+        m_matrix[k][l] = matrix(1 + k, 1 + l);
       }
     }
   }
@@ -52,24 +52,23 @@ public:
   {
     double right = m_ringRight;
     double square = m_ring;
-    std::array<std::size_t, mostSectors> black;
+    std::array<unsigned int, mostSectors> black;
     std::size_t count = 0;
-    for (int k = 0; k < m_sectors; ++k) {
-      if ((word >> (m_sectors - 1 - k)) & 1U) {
-        const auto here = static_cast<std::size_t>(k);
-        right += m_right[here];
-        square += m_diagonal[here];
+    for (unsigned int k = 0; k < m_sectors; ++k) {
+      if (isSectorBlack(word, k, m_sectors)) {
+        right += m_right[k];
+        square += m_diagonal[k];
         for (std::size_t l = 0; l < count; ++l) {
-          square += 2. * m_matrix[here][black[l]];
+          square += 2. * m_matrix[k][black[l]];
         }
-        black[count++] = here;
+        black[count++] = k;
       }
     }
     return right > 0. ? m_plain - right * right / square : m_plain;
   }
 
 private:
-  int m_sectors;
+  unsigned int m_sectors;
   double m_plain;
   double m_ring = 0.;
   double m_ringRight = 0.;
@@ -82,7 +81,7 @@ private:
 BestWords bestWords(const BlurredFit &fit, const CyclicCode &code, const Deadline &deadline)
 {
   constexpr unsigned int wordsAtOnce = 1024; // some tenths of a millisecond
-  const CodewordSquares squares(fit, static_cast<int>(code.getLength()));
+  const CodewordSquares squares(fit, code.getLength());
   BestWords words;
   unsigned int count = 0;
   bool isOver = false;

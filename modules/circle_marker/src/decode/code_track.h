@@ -19,6 +19,7 @@
 #define VP_CIRCLE_MARKER_CODE_TRACK_H
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
@@ -74,6 +75,32 @@ std::optional<SectorReading> solveTrack(const CodeTrack &track, unsigned int sec
   are neither black nor white, are not seen.
 */
 std::optional<SectorReading> solveCoveredTrack(CodeTrack track, unsigned int sectors);
+
+/*!
+  Looks for the phase of a grid of sectors at which something costs least, by steps to either side that become half as
+  long each time, down to a two-hundredth of a sector: a twentieth of a pixel on a track of 60 pixels.
+  \param phase : Where it begins, rad.
+  \param sectors : Their number.
+  \param firstStep : The first step, of a sector.
+  \param costAt : What a phase costs; it is asked for the first one, too.
+*/
+template <typename Cost> double leastPhase(double phase, unsigned int sectors, double firstStep, const Cost &costAt)
+{
+  constexpr double leastStep = 1. / 200.;
+  double least = costAt(phase);
+  for (double step = firstStep; step > leastStep; step *= 0.5) {
+    const double from = phase;
+    for (const double side : {-1., 1.}) {
+      const double beside = from + side * step * 2. * M_PI / sectors;
+      const double cost = costAt(beside);
+      if (cost < least) {
+        least = cost;
+        phase = beside;
+      }
+    }
+  }
+  return phase;
+}
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -115,6 +115,12 @@ private:
   std::vector<Leader> m_leaders;       //!< Correctable error patterns with sector 0 wrong, by syndrome.
 };
 
+/*! Whether a sector of a word of so many is black: the first is the most significant of its bits. */
+constexpr bool isSectorBlack(CyclicCode::Word word, unsigned int sector, unsigned int sectors)
+{
+  return ((word >> (sectors - 1 - sector)) & 1U) != 0;
+}
+
 /*! Number of sectors in which two words differ. */
 unsigned int hammingDistance(CyclicCode::Word a, CyclicCode::Word b);
 

@@ -90,8 +90,7 @@ double agreement(const SectorReading &reading, CyclicCode::Word codeword)
 {
   double sum = 0.;
   for (unsigned int k = 0; k < reading.sectors; ++k) {
-    const bool black = (codeword >> (reading.sectors - 1 - k)) & 1U;
-    sum += black ? reading.soft[k] : -reading.soft[k];
+    sum += isSectorBlack(codeword, k, reading.sectors) ? reading.soft[k] : -reading.soft[k];
   }
   return sum / reading.sectors;
 }

@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/normal_distribution.h"
 #include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
@@ -29,35 +28,26 @@ namespace {
 // Ink is no darker than this share of paper, in grey levels, when its noise is asked for: a gamma above 1 would make
 // that of black endless.
 constexpr double darkestInk = 0.05;
-// The light's slope leaves no less than this share of it.
-constexpr double leastLight = 1e-3;
 } // namespace
-
-double MeasuredRing::whiteAt(const Eigen::Vector2d &place) const
-{
-  const Eigen::Vector2d offset = place - origin;
-  double lit = std::max(1. + slope.dot(offset), leastLight);
-  if (shade < 1.) {
-    lit *= 1. - (1. - shade) * NormalDistribution::instance().at(toShade.dot(offset) - shadeEdge).cumulative;
-  }
-  return light * std::pow(lit, gamma);
-}
 
 double MeasuredRing::levelAt(const Eigen::Vector2d &place, double grey) const
 {
-  return 1. - (1. - std::pow(std::max(grey, 0.) / whiteAt(place), 1. / gamma)) / absorption;
+  const double inEvenLight = uneven ? uneven->evened(place, grey) : grey;
+  return 1. - photometry.blackOf(inEvenLight / whiteAt(place));
 }
 
 bool MeasuredRing::isCutOff(const Eigen::Vector2d &place, double grey) const
 {
-  return mayBeTooBright(grey) && whiteAt(place) > brightestTold;
+  const double white = whiteAt(place);
+  return mayBeTooBright(grey) && (uneven ? uneven->uneven(place, white) : white) > brightestTold;
 }
 
 double MeasuredRing::noiseOfLevel() const
 {
-  const double ink = std::max(std::pow(std::max(1. - absorption, 0.), gamma), darkestInk);
+  const double gamma = photometry.gamma;
+  const double ink = std::max(std::pow(std::max(1. - photometry.absorption, 0.), gamma), darkestInk);
   const double slope = std::max(1., std::pow(ink, 1. / gamma - 1.)) / gamma; // of the light by the grey level
-  return noise / light * slope / absorption;
+  return noise / photometry.white * slope / photometry.absorption;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

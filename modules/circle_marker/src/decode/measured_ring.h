@@ -18,8 +18,12 @@
 #ifndef VP_CIRCLE_MARKER_MEASURED_RING_H
 #define VP_CIRCLE_MARKER_MEASURED_RING_H
 
+#include <optional>
+
 #include <Eigen/Core>
 
+#include "decode/photometry.h"
+#include "decode/uneven_light.h"
 #include "pose/marker_plane.h"
 
 BEGIN_VISP_NAMESPACE
@@ -28,21 +32,13 @@ namespace circle_marker {
 struct MeasuredRing
 {
   MarkerPlane plane;
-  Eigen::Vector2d origin = Eigen::Vector2d::Zero(); //!< Pixel at which the light is told.
-  double light = 0.;                                //!< Grey level of white paper there.
-  Eigen::Vector2d slope = Eigen::Vector2d::Zero();  //!< Change of the light by the pixel, share of it.
-  double absorption = 0.;                           //!< Share of the light that ink takes.
-  double gamma = 1.;                                //!< The camera's: grey levels are the light to that power.
-  double growth = 0.;                               //!< By which black is printed, or looks, larger, outer radii.
-  double blur = 0.;                                 //!< Standard deviation, geometric mean over directions, pixels.
-  Eigen::Matrix2d blurShape = Eigen::Matrix2d::Identity(); //!< Of determinant 1: along n it is blur |blurShape n|.
-  double noise = 0.;                                       //!< Standard deviation, grey levels.
-  double shade = 1.;                                       //!< Light that is left in a shadow on it.
-  Eigen::Vector2d toShade = Eigen::Vector2d::Zero(); //!< Into the shadow, 1 / (softness of its edge) by the pixel.
-  double shadeEdge = 0.;                             //!< Where its edge lies along that.
+  ImageFrame frame = {Eigen::Vector2d::Zero(), 1.}; //!< Coordinates of the light.
+  Photometry photometry;
+  double noise = 0.;                 //!< Standard deviation, grey levels.
+  std::optional<UnevenLight> uneven; //!< The light, if that of the photometry is what is left in even light.
 
-  /*! Grey level of white paper at a pixel. */
-  double whiteAt(const Eigen::Vector2d &place) const;
+  /*! Grey level of white paper at a pixel, in even light. */
+  double whiteAt(const Eigen::Vector2d &place) const { return photometry.whiteAt((place - frame.center) / frame.size); }
 
   /*! What a grey level at a pixel is between ink, 0, and paper, 1: linear in the light, as the blur mixes them. */
   double levelAt(const Eigen::Vector2d &place, double grey) const;

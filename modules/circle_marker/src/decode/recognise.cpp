@@ -140,12 +140,10 @@ Recognition blurredMarkerOf(const BlurredReading &reading, const vpCircleMarkerF
   result.code = reading.code;
   result.poses = {reading.fit.plane, reading.twin};
   result.blurred = reading.poses;
-  Eigen::Matrix<double, 6, 6> back = Eigen::Matrix<double, 6, 6>::Zero();
-  back.topLeftCorner<3, 3>() = Eigen::AngleAxisd(-reading.code.spin, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  back.bottomRightCorner<3, 3>() = back.topLeftCorner<3, 3>();
+  const Eigen::Matrix3d back = Eigen::AngleAxisd(-reading.code.spin, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   for (std::size_t i = 0; i < result.poses.size(); ++i) {
     result.poses[i].spin(reading.code.spin);
-    result.blurred->covariance[i] = back * reading.poses.covariance[i] * back.transpose();
+    result.blurred->covariance[i] = turnedCovariance(reading.poses.covariance[i], back);
   }
   return result;
 }
@@ -288,7 +286,7 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   std::optional<SeenParts> most;
   for (const MarkerPlane &plane : poses) {
     auto reading = readCoveredSectors(I, camera, plane, family);
-    if (reading && looksLikeCode(reading->sectors) && (!most || reading->seen.share() > most->share())) {
+    if (reading && looksLikeCode(reading->sectors) && (!most || reading->seen.shareOfRing() > most->shareOfRing())) {
       most = reading->seen;
       most->track.reset();
       most->center.reset();
@@ -335,7 +333,7 @@ Judged<Recognition> recogniseCovered(const vpImage<unsigned char> &I, const Came
   }
   Recognition result = markerOf({rings[0]->plane, rings[1]->plane}, family, codes, best);
   result.seen = seen[best];
-  result.ring = *rings[best];
+  result.measuredRing = *rings[best];
   return result;
 }
 } // namespace circle_marker

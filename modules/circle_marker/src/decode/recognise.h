@@ -37,9 +37,9 @@ struct Recognition
   vpCircleMarkerFamily family;
   CodeReading code; //!< id -1 without a code.
   PosePair poses;
-  std::optional<SeenParts> seen;    //!< Where something covers a part of it.
-  std::optional<MeasuredRing> ring; //!< Then its ring, which was measured before its code was read.
-  bool isCertain = true;            //!< Whether the code was read well enough; else it has to be proven.
+  std::optional<SeenParts> seen;            //!< Where something covers a part of it.
+  std::optional<MeasuredRing> measuredRing; //!< Then its ring, which was measured before its code was read.
+  bool isCertain = true;                    //!< Whether the code was read well enough; else it has to be proven.
   //! Of each sector of the code, as it was read: 0 is white, 1 is black. Where that is better than the code itself.
   std::optional<std::array<float, mostSectors>> darkness;
   std::optional<BlurredPoses> blurred; //!< How well \e poses are known where they were read through a blur.

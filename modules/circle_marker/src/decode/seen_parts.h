@@ -70,7 +70,7 @@ struct SeenParts
       const double angle = 2. * M_PI * k / sectors;
       const std::size_t here =
           directionOf(plane.intersect(pose.project(middle * Eigen::Vector2d(std::cos(angle), std::sin(angle)))));
-      const bool isEdge = (((word >> (sectors - 1 - k)) ^ (word >> (sectors - 1 - before))) & 1U) != 0;
+      const bool isEdge = isSectorBlack(word, k, sectors) != isSectorBlack(word, before, sectors);
       const bool isSeen = track[here] && track[(here + 1) % directions] && track[(here + directions - 1) % directions];
       seen += isEdge && isSeen ? 1 : 0;
     }
@@ -78,7 +78,7 @@ struct SeenParts
   }
 
   /*! Share of the ring that is seen. */
-  double share() const { return static_cast<double>(ring.count()) / directions; }
+  double shareOfRing() const { return static_cast<double>(ring.count()) / directions; }
 
 private:
   // The direction in which a point of the plane lies.

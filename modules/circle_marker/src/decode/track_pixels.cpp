@@ -46,11 +46,9 @@ constexpr double leastShareOfPixels = 0.25;
 constexpr double mostOfOther = 0.15;
 // Weights of a sector that only pixels tell which may be covered by something like them.
 constexpr double doubtfulWeight = 0.3;
-// Steps by which the grid of sectors is turned, of a sector: from the first look, and once sectors are known; and what
-// is left at the end, a twentieth of a pixel on a track of 60 pixels.
+// Steps by which the grid of sectors is turned, of a sector: from the first look, and once sectors are known.
 constexpr double firstStep = 1. / 12.;
 constexpr double secondStep = 1. / 24.;
-constexpr double leastStep = 1. / 200.;
 // So many pixels tell as much as all.
 constexpr double enoughPixels = 3000.;
 } // namespace
@@ -75,6 +73,8 @@ void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &ca
     return static_cast<int>(std::clamp(value, 0., static_cast<double>(size) - 1.));
   };
   const NormalDistribution &normal = NormalDistribution::instance();
+  const Eigen::Matrix2d blur = ring.photometry.blur.sigma * ring.photometry.blur.shape();
+  const double growth = ring.photometry.blur.spread;
   const int right = clamped(most.x() + 1., I.getWidth());
   const int bottom = clamped(most.y() + 1., I.getHeight());
   const int left = clamped(least.x(), I.getWidth());
@@ -95,17 +95,17 @@ void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &ca
       byPixel.col(0) = ring.plane.intersect(meter + perPixel.col(0)) - q;
       byPixel.col(1) = ring.plane.intersect(meter + perPixel.col(1)) - q;
       const Eigen::Vector2d out = q / radius;
-      const Eigen::Matrix2d blurred = ring.blur * ring.blurShape * byPixel.transpose();
+      const Eigen::Matrix2d blurred = blur * byPixel.transpose();
       const double across = (blurred * out).norm();
       const double along = (blurred * Eigen::Vector2d(-out.y(), out.x())).norm();
       const auto upTo = [&](double edge) { return normal.at((edge - radius) / across).cumulative; };
       Pixel pixel;
       pixel.turn = std::atan2(q.y(), q.x()) / (2. * M_PI);
       pixel.turn += pixel.turn < 0. ? 1. : 0.;
-      pixel.ring = upTo(1. + ring.growth) - upTo(m_layout.ringInner - ring.growth);
-      pixel.track = upTo(m_layout.codeOuter + ring.growth) - upTo(m_layout.codeInner - ring.growth);
+      pixel.ring = upTo(1. + growth) - upTo(m_layout.ringInner - growth);
+      pixel.track = upTo(m_layout.codeOuter + growth) - upTo(m_layout.codeInner - growth);
       pixel.spread = along / radius / (2. * M_PI);
-      pixel.growth = ring.growth / radius / (2. * M_PI);
+      pixel.growth = growth / radius / (2. * M_PI);
       const double grey = I[static_cast<unsigned int>(v)][static_cast<unsigned int>(u)];
       pixel.level = ring.levelAt(place, grey);
       pixel.isCutOff = ring.isCutOff(place, grey);
@@ -243,20 +243,10 @@ double TrackPixels::fitOf(const Kinds &kinds) const
 // Turns the grid of sectors to the phase about the present one that agrees best with what the sectors are.
 void TrackPixels::improvePhase(const Kinds &kinds, double firstStep)
 {
-  double fit = fitOf(kinds);
-  double best = m_phase;
-  for (double step = firstStep; step > leastStep; step *= 0.5) {
-    const double from = best;
-    for (const double side : {-1., 1.}) {
-      turnTo(from + side * step * 2. * M_PI / m_sectors);
-      const double here = fitOf(kinds);
-      if (here > fit) {
-        fit = here;
-        best = m_phase;
-      }
-    }
-  }
-  turnTo(best);
+  turnTo(leastPhase(m_phase, m_sectors, firstStep, [&](double phase) {
+    turnTo(phase);
+    return -fitOf(kinds);
+  }));
 }
 
 // What is known of the sectors if nothing is known of their neighbours at first.
@@ -278,7 +268,7 @@ void TrackPixels::improve(SectorReading &reading)
 {
   Kinds unknown;
   unknown.fill(Kind::UNKNOWN);
-  turnTo(reading.phase);
+  m_phase = reading.phase;
   improvePhase(unknown, firstStep);
   improvePhase(kindsAlone(), secondStep);
   const Kinds kinds = kindsAlone();
@@ -304,7 +294,7 @@ TrackPixels::Kinds TrackPixels::kindsOf(CyclicCode::Word word) const
 {
   Kinds kinds;
   for (unsigned int k = 0; k < m_sectors; ++k) {
-    kinds[k] = ((word >> (m_sectors - 1 - k)) & 1U) != 0 ? Kind::BLACK : Kind::WHITE;
+    kinds[k] = isSectorBlack(word, k, m_sectors) ? Kind::BLACK : Kind::WHITE;
   }
   return kinds;
 }

@@ -26,10 +26,9 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Steps by which the grid of sectors is turned to a word, of a sector: where a bar lies on a border the reading before
-// was off by a tenth, and with the halves of the first they reach a third.
+// Step by which the grid of sectors is first turned to a word, of a sector: where a bar lies on a border the reading
+// before was off by a tenth, and with its halves it reaches a third.
 constexpr double firstStep = 1. / 6.;
-constexpr double lastStep = 1. / 200.;
 // Of the pixels of ring or track in a direction that shows it, this share may be other than the codeword makes them.
 constexpr double mostUnexplained = 0.1;
 // A pixel beside the track has this share of the ring in it, at least, to tell of that.
@@ -147,21 +146,8 @@ double WordEvidence::misfitAt(double phase, CyclicCode::Word word) const
 
 double WordEvidence::improvePhase(CyclicCode::Word word)
 {
-  double least = misfitAt(m_phase, word);
-  double best = m_phase;
-  for (double step = firstStep; step > lastStep; step *= 0.5) {
-    const double from = best;
-    for (const double side : {-1., 1.}) {
-      const double phase = from + side * step * 2. * M_PI / m_sectors;
-      const double misfit = misfitAt(phase, word);
-      if (misfit < least) {
-        least = misfit;
-        best = phase;
-      }
-    }
-  }
-  turnTo(best);
-  return best;
+  turnTo(leastPhase(m_phase, m_sectors, firstStep, [&](double phase) { return misfitAt(phase, word); }));
+  return m_phase;
 }
 
 bool WordEvidence::isOtherPrint(CyclicCode::Word word, const SeenParts &seen) const
@@ -190,7 +176,7 @@ bool WordEvidence::isOtherPrint(CyclicCode::Word word, const SeenParts &seen) co
   }
   const bool hasBoth = ink + paper > leastOtherPrint * all && std::min(ink, paper) > leastOfEither * all;
   const bool isInside =
-      seen.share() > wholeRing && unexplained > muchOfTrack * all && ink + paper > likePrint * unexplained;
+      seen.shareOfRing() > wholeRing && unexplained > muchOfTrack * all && ink + paper > likePrint * unexplained;
   return hasBoth || isInside;
 }
 

@@ -132,6 +132,21 @@ struct MarkerPlane
   }
 };
 
+/*!
+  Covariance of (t, w) along other axes.
+  \param covariance : Along the axes of a frame.
+  \param rotation : From that frame to the other.
+  \param unit : What the first has for its unit of length, in that of the other.
+*/
+inline Eigen::Matrix<double, 6, 6> turnedCovariance(const Eigen::Matrix<double, 6, 6> &covariance,
+                                                    const Eigen::Matrix3d &rotation, double unit = 1.)
+{
+  Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Zero();
+  change.topLeftCorner<3, 3>() = unit * rotation;
+  change.bottomRightCorner<3, 3>() = rotation;
+  return change * covariance * change.transpose();
+}
+
 /*! Turns the second pose about its normal so that its x axis has the image direction of the first pose's x axis. */
 inline void copySpin(const MarkerPlane &from, MarkerPlane &to)
 {

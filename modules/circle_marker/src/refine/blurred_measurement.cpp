@@ -47,10 +47,7 @@ FittedPose fittedPose(const Recognition &marker, std::size_t i)
   pose.noise = blurred.noise;
   pose.inliers = 1.;
   pose.correlation = std::sqrt(std::max(1. - blurred.unexplained, 0.));
-  Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Zero();
-  change.topLeftCorner<3, 3>() = pose.plane.radius * pose.plane.rotation;
-  change.bottomRightCorner<3, 3>() = pose.plane.rotation;
-  pose.covariance = change * blurred.covariance[i] * change.transpose();
+  pose.covariance = turnedCovariance(blurred.covariance[i], pose.plane.rotation, pose.plane.radius);
   return pose;
 }
 

@@ -22,6 +22,7 @@
 
 #include "refine/few_pixels.h"
 #include "refine/fit_starts.h"
+#include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -174,8 +175,14 @@ void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
 
 void evenOut(const MarkerInImage &view, std::vector<FitPixel> &pixels)
 {
-  if (view.uneven != nullptr) {
-    evenOut(*view.uneven, pixels);
+  if (view.uneven == nullptr) {
+    return;
+  }
+  const auto isTooBright = [](const FitPixel &pixel) { return mayBeTooBright(pixel.grey); };
+  pixels.erase(std::remove_if(pixels.begin(), pixels.end(), isTooBright), pixels.end());
+  for (FitPixel &pixel : pixels) {
+    const Eigen::Vector2d place = view.frame.center + view.frame.size * pixel.offset.cast<double>();
+    pixel.grey = static_cast<float>(view.uneven->evened(place, pixel.grey));
   }
 }
 

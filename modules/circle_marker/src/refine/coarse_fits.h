@@ -19,8 +19,8 @@
 #define VP_CIRCLE_MARKER_COARSE_FITS_H
 
 #include "decode/recognise.h"
+#include "decode/uneven_light.h"
 #include "refine/ranked_fits.h"
-#include "refine/uneven_light.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -42,7 +42,10 @@ BlurParameters boundedBlur(const BlurParameters &fitted);
 */
 void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels);
 
-/*! Takes pixels to even light, if the light on the marker is known to be uneven. */
+/*!
+  Takes pixels to even light, if the light on the marker is known to be uneven. Those that are as bright as the sensor
+  tells are left out: in even light nothing would show that they are.
+*/
 void evenOut(const MarkerInImage &view, std::vector<FitPixel> &pixels);
 
 /*!

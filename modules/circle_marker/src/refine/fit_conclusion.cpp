@@ -57,16 +57,6 @@ double sharingOf(const ImageNoise &noise, double left, double blur)
 // The biweight's mean is 0.915 with normal noise, and the equations' information with it; its efficiency is 0.95.
 constexpr double biweightCovariance = 0.915 / 0.95;
 
-// Covariance of (t, w) in the camera frame from that of the twist in the marker's. fittedPose() of
-// blurred_measurement.cpp has the same: this one is compiled for each set of instructions, and rounds as that does.
-Eigen::Matrix<double, 6, 6> inCameraFrame(const Eigen::Matrix<double, 6, 6> &covariance, const MarkerPlane &plane)
-{
-  Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Zero();
-  change.topLeftCorner<3, 3>() = plane.radius * plane.rotation;
-  change.bottomRightCorner<3, 3>() = plane.rotation;
-  return change * covariance * change.transpose();
-}
-
 // Through a lens of 20,000 pixels and more the depth of a small marker is known a ten-thousandth as well as its place
 // across, and the sums in single precision may say anything of it, that it has a negative variance, too. It is then
 // taken for as large as it is negative: little is known.
@@ -115,7 +105,7 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
     covariance.row(spinAt).setZero();
     covariance.col(spinAt).setZero();
   }
-  result.covariance = inCameraFrame(covariance, result.plane);
+  result.covariance = turnedCovariance(covariance, result.plane.rotation, result.plane.radius);
   return true;
 }
 } // namespace CIRCLE_MARKER_LANES

@@ -22,7 +22,7 @@
 
 #include "pose/marker_plane.h"
 #include "refine/marker_pattern.h"
-#include "refine/photometry.h"
+#include "decode/photometry.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -31,13 +31,6 @@ struct ModelPixel
 {
   Eigen::Vector2d meter;         //!< Normalised coordinates of its centre.
   Eigen::Matrix2d meterPerPixel; //!< Their derivative with respect to the pixel.
-};
-
-/*! Coordinates of the image about a marker: pixels from its centre, in units of about its radius. */
-struct ImageFrame
-{
-  Eigen::Vector2d center; //!< Pixels.
-  double size;            //!< Pixels.
 };
 
 /*! What a pixel sees of what lies beyond the paper. */

@@ -81,10 +81,10 @@ void FitPreparation::prepare(const MarkerPlane &plane, const Photometry &photome
 
 bool FitPreparation::isStale(const MarkerPlane &plane, const Photometry &photometry, double noise) const
 {
-  const double sameLight = std::max(judgeAgain * m_judged.light, judgeAgainInNoise * noise);
+  const double sameLight = std::max(judgeAgain * m_judged.white, judgeAgainInNoise * noise);
   const double turned = printMotion(m_sorted, plane) / m_memory.blocks.reference.unit;
   return motion(m_sorted, plane) > m_sortAgain || turned > turnedAgain || isWider(photometry) ||
-         (!m_memory.blocks.surrounds.empty() && std::abs(photometry.light - m_judged.light) > sameLight);
+         (!m_memory.blocks.surrounds.empty() && std::abs(photometry.white - m_judged.white) > sameLight);
 }
 
 bool FitPreparation::isRough(const MarkerPlane &plane, const Photometry &photometry) const

@@ -71,7 +71,7 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   const double gamma = std::clamp(photometry.gamma * std::exp(step[gammaAt]), leastGamma, mostGamma);
   const double bend = std::log(gamma / photometry.gamma);
   photometry.gamma = gamma;
-  photometry.light += step[lightAt];
+  photometry.white += step[lightAt];
   photometry.lightGradient = (std::exp(-bend) + bend) * photometry.lightGradient + step.segment<2>(gradientAt);
   photometry.absorption = 1. - shareAfter(1. - photometry.absorption, -step[absorptionAt], bend);
   photometry.blur.sigma = std::clamp(photometry.blur.sigma + step[sigmaAt], leastSigma, mostSigma);
@@ -93,14 +93,14 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
 
 bool isAlike(const Photometry &p, const Photometry &q)
 {
-  return std::abs(p.light - q.light) < nearLight * p.light && std::abs(p.absorption - q.absorption) < nearLight &&
+  return std::abs(p.white - q.white) < nearLight * p.white && std::abs(p.absorption - q.absorption) < nearLight &&
          std::abs(p.gamma - q.gamma) < nearLight * p.gamma &&
          std::abs(p.blur.sigma - q.blur.sigma) < nearLight * p.blur.sigma;
 }
 
 bool isPrint(const Photometry &photometry)
 {
-  return photometry.light > 0. && photometry.absorption > 0.;
+  return photometry.white > 0. && photometry.absorption > 0.;
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

@@ -23,7 +23,7 @@
 #include <Eigen/Core>
 
 #include "pose/marker_plane.h"
-#include "refine/photometry.h"
+#include "decode/photometry.h"
 #include "segment/image_noise.h"
 #include "support/deadline.h"
 

@@ -125,7 +125,7 @@ inline GreyLanes greyOf(const PixelBlock &block, const SurroundLanes *surround, 
     light = light * shadowOf(block, *photometry.shadow).value;
   }
   grey.logLight = light.log();
-  grey.white = static_cast<float>(photometry.light) * (gamma * grey.logLight).exp();
+  grey.white = static_cast<float>(photometry.white) * (gamma * grey.logLight).exp();
   grey.reflectance = (1.f - static_cast<float>(photometry.absorption) * darkness).max(static_cast<float>(leastLight));
   grey.logReflectance = grey.reflectance.log();
   grey.print = (gamma * grey.logReflectance).exp();
@@ -169,7 +169,7 @@ inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const 
       row[shadowAt + k] = byShadow * shadow.by[k];
     }
   }
-  row[lightAt] = static_cast<float>(1. / photometry.light) * byLogWhite;
+  row[lightAt] = static_cast<float>(1. / photometry.white) * byLogWhite;
   const Lanes byLight = byLogLight * lightOf(block, photometry).inverse();
   row[gradientAt] = byLight * block.offsetU;
   row[gradientAt + 1] = byLight * block.offsetV;

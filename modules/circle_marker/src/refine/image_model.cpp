@@ -237,36 +237,6 @@ void ImageModel::evaluateParabolas(const PixelBlock &block, PixelSight sight, Re
                      : evaluateAs<PixelSight::RING_AND_TRACK, 5>(block, result);
   }
 }
-
-Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern,
-                    const BlurParameters &blur)
-{
-  FitPixel single;
-  single.meter = pixel.meter.cast<float>();
-  single.meterPerPixel = pixel.meterPerPixel.cast<float>();
-  Photometry photometry;
-  photometry.blur = blur;
-  PixelBlocks blocks;
-  packPixels({single}, plane, pattern, photometry, 0., 0., mostBorders, blocks);
-  const ImageModel model(plane, pattern, blur, blocks, true);
-  Darkness darkness;
-  for (std::size_t kind = 0; kind < pixelSights; ++kind) {
-    if (blocks.count[kind] == 0) {
-      continue;
-    }
-    DarknessLanes lanes;
-    model.evaluate(blocks.bySight[kind][0], static_cast<PixelSight>(kind), lanes);
-    const Eigen::Vector3d translation(lanes.byTwist[0][0], lanes.byTwist[1][0], lanes.byTwist[2][0]);
-    const Eigen::Vector3d turn(lanes.byTwist[3][0], lanes.byTwist[4][0], lanes.byTwist[5][0]);
-    darkness.value = lanes.value[0];
-    darkness.byPose << plane.rotation * translation / plane.radius, plane.rotation * turn;
-    darkness.bySigma = lanes.bySigma[0];
-    darkness.byElongation << lanes.byElongation[0][0], lanes.byElongation[1][0];
-    darkness.bySpread = lanes.bySpread[0];
-    darkness.byBend << lanes.byBend[0][0], lanes.byBend[1][0], lanes.byBend[2][0];
-  }
-  return darkness;
-}
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -133,22 +133,6 @@ private:
   int m_cornerTerms;              // of the tetrachoric series
   bool m_seesBend;
 };
-
-/*! Share of black that a pixel sees, and its derivatives. */
-struct Darkness
-{
-  double value = 0.;
-  //! By (t, w): the marker's centre moves by t (metres) and the marker turns about it by w (rad), in the camera frame.
-  Eigen::Matrix<double, 6, 1> byPose = Eigen::Matrix<double, 6, 1>::Zero();
-  double bySigma = 0.;                                    //!< 1 / pixel.
-  Eigen::Vector2d byElongation = Eigen::Vector2d::Zero(); //!< By a step of BlurParameters::elongate().
-  double bySpread = 0.;                                   //!< 1 / radius.
-  Eigen::Vector3d byBend = Eigen::Vector3d::Zero();       //!< By the bow and the saddle of the sheet (SheetBend).
-};
-
-/*! Evaluates the model at one pixel: tests look at it so; fits take blocks of pixels, with ImageModel. */
-Darkness darknessAt(const ModelPixel &pixel, const MarkerPlane &plane, const MarkerPattern &pattern,
-                    const BlurParameters &blur);
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -18,7 +18,7 @@
 #ifndef VP_CIRCLE_MARKER_LIGHT_LANES_H
 #define VP_CIRCLE_MARKER_LIGHT_LANES_H
 
-#include "refine/photometry.h"
+#include "decode/photometry.h"
 #include "refine/pixel_blocks.h"
 
 BEGIN_VISP_NAMESPACE
@@ -35,7 +35,7 @@ inline Lanes lightOf(const PixelBlock &block, const Photometry &photometry)
 inline Lanes whiteOf(const PixelBlock &block, const Photometry &photometry)
 {
   const auto gamma = static_cast<float>(photometry.gamma);
-  return static_cast<float>(photometry.light) * (gamma * lightOf(block, photometry).log()).exp();
+  return static_cast<float>(photometry.white) * (gamma * lightOf(block, photometry).log()).exp();
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

@@ -163,7 +163,7 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
   if (!solution.allFinite() || solution[0] <= 0. || solution[3] < leastContrast) {
     return false;
   }
-  photometry.light = solution[0];
+  photometry.white = solution[0];
   photometry.lightGradient = solution.segment<2>(1) / solution[0];
   photometry.absorption = std::min(solution[3] / solution[0], 1.);
   return true;

@@ -24,7 +24,8 @@
 
 #include <Eigen/Core>
 
-#include "refine/paper_end.h"
+#include "decode/cyclic_code.h"
+#include "decode/paper_end.h"
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 
@@ -49,11 +50,11 @@ struct MarkerPattern
   //! For each sector, the unit vector across its first border, toward the sector.
   std::array<Eigen::Vector2d, 31> across{};
 
-  //! Sets black sectors where a word has ones; sector 0 is the most significant of its bits.
+  //! Sets black sectors where a word has ones.
   void setWord(std::uint32_t word)
   {
     for (unsigned int k = 0; k < sectors; ++k) {
-      darkness[k] = (word >> (sectors - 1 - k)) & 1U ? 1.f : 0.f;
+      darkness[k] = isSectorBlack(word, k, sectors) ? 1.f : 0.f;
     }
   }
 

@@ -95,7 +95,7 @@ constexpr int mostTwins = 2;
 // Whether the sheet may be bent, as far as the fit can tell: where too much is covered a bend explains what covers it.
 bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
 {
-  const bool isMostlySeen = !marker.seen || marker.seen->share() > leastSeenOfBent;
+  const bool isMostlySeen = !marker.seen || marker.seen->shareOfRing() > leastSeenOfBent;
   return isMostlySeen && !marker.darkness && pattern.sectors > 0;
 }
 
@@ -104,25 +104,25 @@ RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &sett
                        MeasureMemory &memory)
 {
   const Recognition &marker = view.marker;
-  RankedFits few = fitFewPixels(view, pattern, refine, settings, memory.pixels, *memory.fitter);
-  if (refine && mayHaveShadow(marker, pattern, few)) {
-    few = withMissedShadow(view, pattern, few, settings, memory.pixels, memory.explained, *memory.fitter);
+  RankedFits coarse = fitFewPixels(view, pattern, refine, settings, memory.pixels, *memory.fitter);
+  if (refine && mayHaveShadow(marker, pattern, coarse)) {
+    coarse = withMissedShadow(view, pattern, coarse, settings, memory.pixels, memory.explained, *memory.fitter);
   }
-  return few;
+  return coarse;
 }
 
 // The light that a measured ring tells, in the coordinates of a frame. That of a covered one has no shadow.
 Photometry lightOf(const MeasuredRing &ring, const ImageFrame &frame)
 {
-  Photometry photometry;
-  photometry.light = ring.whiteAt(frame.center);
+  const Photometry &told = ring.photometry;
+  const Eigen::Vector2d slope = told.lightGradient / ring.frame.size; // by the pixel
+  Photometry photometry;                                              // of what lies around it nothing is known
+  photometry.white = ring.whiteAt(frame.center);
   photometry.lightGradient =
-      frame.size * ring.slope / std::max(1. + ring.slope.dot(frame.center - ring.origin), leastLight);
-  photometry.absorption = ring.absorption;
-  photometry.gamma = ring.gamma;
-  photometry.blur.sigma = ring.blur;
-  photometry.blur.setShape(ring.blurShape);
-  photometry.blur.spread = ring.growth;
+      frame.size * slope / std::max(1. + slope.dot(frame.center - ring.frame.center), leastLight);
+  photometry.absorption = told.absorption;
+  photometry.gamma = told.gamma;
+  photometry.blur = told.blur;
   return photometry;
 }
 
@@ -134,10 +134,10 @@ RankedFits fitsOfRing(const MarkerInImage &view)
   for (const MarkerPlane &plane : view.marker.poses) {
     FittedPose fit;
     fit.plane = plane;
-    fit.photometry = lightOf(*view.marker.ring, view.frame);
+    fit.photometry = lightOf(*view.marker.measuredRing, view.frame);
     ranked.fits.push_back(fit);
   }
-  ranked.noise = view.marker.ring->noise;
+  ranked.noise = view.marker.measuredRing->noise;
   return ranked;
 }
 
@@ -349,12 +349,16 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     pattern.darkness = *marker.darkness;
   }
   MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
+  if (marker.measuredRing && marker.measuredRing->uneven) {
+    view.uneven = &*marker.measuredRing->uneven;
+  }
   FitSettings settings = settingsFor(view, pattern, deadline);
   settings.noise = noise;
-  RankedFits ranked = marker.ring && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
-  std::optional<UnevenLight> light;
+  RankedFits ranked =
+      marker.measuredRing && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
+  std::optional<UnevenLight> uneven;
   if (refine && mayBeInUnevenLight(marker, pattern, ranked, noise.sigma)) {
-    ranked = withEvenLight(view, pattern, ranked, settings, light, memory.pixels, memory.explained, *memory.fitter);
+    ranked = withEvenLight(view, pattern, ranked, settings, uneven, memory.pixels, memory.explained, *memory.fitter);
   }
   const bool isInDoubt = refine && !marker.isCertain && pattern.sectors > 0;
   const auto isHopeless = [&](bool isCoarse) {
@@ -387,6 +391,9 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     return std::nullopt;
   }
   Measurement result = measurementOf(ranked, givenUp);
+  if (view.uneven != nullptr) {
+    result.uneven = *view.uneven;
+  }
   if (!refine && result.second) {
     result.cost2 = result.cost + unrefinedOdds(result.cost2 - result.cost, result.first, ranked.noise);
   }

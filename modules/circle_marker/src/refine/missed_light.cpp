@@ -21,6 +21,8 @@
 
 #include <Eigen/LU>
 
+#include "refine/light_fit.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
@@ -72,10 +74,11 @@ RankedFits withEvenLight(MarkerInImage &view, const MarkerPattern &pattern, cons
     fitter.explainPixels(pixels, fit, pattern, explained);
     if (light) {
       for (ExplainedPixel &pixel : explained) {
-        pixel.grey = light->uneven(pixel.offset, pixel.grey);
+        const Eigen::Vector2d place = view.frame.center + view.frame.size * pixel.offset.cast<double>();
+        pixel.grey = static_cast<float>(light->uneven(place, pixel.grey));
       }
     }
-    const auto now = UnevenLight::of(explained, toSheet(fit.plane, view), settings.noise.sigma);
+    const auto now = unevenLightOf(explained, view.frame, toSheet(fit.plane, view), settings.noise.sigma);
     if (!now) {
       break;
     }

@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "refine/coarse_fits.h"
-#include "refine/uneven_light.h"
+#include "refine/shadow_split.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {

@@ -47,15 +47,6 @@ Eigen::Vector2d turnFor(const Eigen::Vector2d &lean)
   return {-lean.y(), lean.x()};
 }
 
-// Rotates (t, w) from the camera frame to the marker's.
-Matrix6 inMarkerFrame(const Matrix6 &covariance, const Eigen::Matrix3d &rotation)
-{
-  Matrix6 change = Matrix6::Zero();
-  change.topLeftCorner<3, 3>() = rotation.transpose();
-  change.bottomRightCorner<3, 3>() = rotation.transpose();
-  return change * covariance * change.transpose();
-}
-
 // Covariance of the lean.
 Eigen::Matrix2d leanCovariance(const Matrix6 &inMarkerFrame)
 {
@@ -113,13 +104,13 @@ MarkerPlane leaningBy(const MarkerPlane &plane, const Eigen::Vector2d &lean)
 bool isNearlyFrontal(const FittedPose &fit)
 {
   const Eigen::Vector2d lean = leanOf(fit.plane);
-  const Eigen::Matrix2d covariance = leanCovariance(inMarkerFrame(fit.covariance, fit.plane.rotation));
+  const Eigen::Matrix2d covariance = leanCovariance(turnedCovariance(fit.covariance, fit.plane.rotation.transpose()));
   return lean.norm() < mostLean && lean.dot(covariance.inverse() * lean) < mostDeviations * mostDeviations;
 }
 
 Matrix6 nearlyFrontalCovariance(const FittedPose &fit, bool hasTwin)
 {
-  const Matrix6 covariance = inMarkerFrame(fit.covariance, fit.plane.rotation);
+  const Matrix6 covariance = turnedCovariance(fit.covariance, fit.plane.rotation.transpose());
   const Eigen::Matrix2d information = leanCovariance(covariance).inverse();
   const Eigen::Vector2d lean = leanOf(fit.plane);
   const double size = lean.norm();
@@ -153,7 +144,7 @@ Matrix6 nearlyFrontalCovariance(const FittedPose &fit, bool hasTwin)
     return fit.covariance;
   }
   const Matrix6 others = covariance - follows * covariance.block<2, 2>(3, 3) * follows.transpose();
-  return inMarkerFrame(others + moments / sum, fit.plane.rotation.transpose());
+  return turnedCovariance(others + moments / sum, fit.plane.rotation);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

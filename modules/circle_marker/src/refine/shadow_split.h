@@ -28,7 +28,7 @@
 
 #include <Eigen/Core>
 
-#include "refine/photometry.h"
+#include "decode/photometry.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {

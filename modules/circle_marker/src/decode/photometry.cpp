@@ -15,7 +15,7 @@
  * Light, contrast and blur of a marker's image.
  */
 
-#include "refine/photometry.h"
+#include "decode/photometry.h"
 
 #include <algorithm>
 
@@ -52,11 +52,6 @@ void BlurParameters::elongate(const Eigen::Vector2d &step)
   elongation = 0.5 * logarithm(before * exponential(2. * step) * before);
 }
 
-void BlurParameters::setShape(const Eigen::Matrix2d &shape)
-{
-  elongation = logarithm(shape);
-}
-
 double Photometry::contrast() const
 {
   return absorption < 1. ? 1. - std::pow(1. - absorption, gamma) : absorption;
@@ -64,8 +59,8 @@ double Photometry::contrast() const
 
 double Photometry::tellableContrast() const
 {
-  constexpr double white = 255.;
-  return std::max(std::min(light, white) - std::max(light * (1. - contrast()), 0.), 0.);
+  constexpr double brightest = 255.;
+  return std::max(std::min(white, brightest) - std::max(white * (1. - contrast()), 0.), 0.);
 }
 
 double Shadow::leavesAt(const Eigen::Vector2d &offset) const
@@ -77,7 +72,7 @@ double Shadow::leavesAt(const Eigen::Vector2d &offset) const
 double Photometry::whiteAt(const Eigen::Vector2d &offset) const
 {
   const double left = shadow ? shadow->leavesAt(offset) : 1.;
-  return light * std::pow(std::max(1. + lightGradient.dot(offset), leastLight) * left, gamma);
+  return white * std::pow(std::max(1. + lightGradient.dot(offset), leastLight) * left, gamma);
 }
 
 double Photometry::blackOf(double grey) const

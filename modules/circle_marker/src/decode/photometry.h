@@ -24,10 +24,17 @@
 
 #include <Eigen/Core>
 
-#include "refine/paper_end.h"
+#include "decode/paper_end.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! Coordinates of the image about a marker: pixels from its centre, in units of about its radius. */
+struct ImageFrame
+{
+  Eigen::Vector2d center; //!< Pixels.
+  double size;            //!< Pixels.
+};
+
 /*!
   How lens, pixels, motion and ink soften and shift edges. The blur is taken for a Gaussian of covariance
   sigma^2 S^2 pixels^2, with S = exp((a, b; b, -a)) for the elongation (a, b): motion makes it longer in one direction.
@@ -40,11 +47,11 @@ struct BlurParameters
   /*! Makes it longer by a small elongation that is given in the coordinates in which the blur is round. */
   void elongate(const Eigen::Vector2d &step);
 
-  /*! Makes it as long as a shape is: see shape(). */
-  void setShape(const Eigen::Matrix2d &shape);
-
   /*! Standard deviation in the direction where it is largest, pixels. */
   double widest() const { return sigma * std::exp(elongation.norm()); }
+
+  /*! Standard deviation along a unit vector of the image, pixels. */
+  double along(const Eigen::Vector2d &direction) const { return sigma * (shape() * direction).norm(); }
 
   double sigma =
       0.8; //!< Standard deviation of lens blur and pixel area together, geometric mean over directions, pixels.
@@ -71,7 +78,7 @@ struct Shadow
 /*! Light, ink and blur of a marker's image, and the camera's gamma: grey levels are the light to that power. */
 struct Photometry
 {
-  double light = 200.; //!< Grey level of white paper at the marker's centre, if no shadow fell on it.
+  double white = 200.; //!< Grey level of white paper at the marker's centre, if no shadow fell on it.
   Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero(); //!< Change of the light over the marker's size, share of it.
   double absorption = 0.8;                                 //!< Share of the light that ink takes.
   double gamma = 1.;                                       //!< The camera's.
