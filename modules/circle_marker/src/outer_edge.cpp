@@ -55,6 +55,10 @@ constexpr double leastCosine = 0.2; // of the tilt: at 80 degrees, beyond which 
 // In a blur that is wider than this, standard deviation, pixels, it is the blur's shape that is seen
 // (refine/blur_shape.h).
 constexpr double widestBlur = 1.2;
+// White and black of a marker in uneven light are known to this share of the contrast, standard deviation, as Gaussians
+// are not the light's shape; and are off alike over so many outer radii, as far as the Gaussians are apart.
+constexpr double errorOfLight = 0.005;
+constexpr double lengthOfLight = 0.5;
 // From this halo on less than half of the odds is believed: of one of 0.2 mirrored poses came first with e^11 and e^32.
 constexpr double halvingHalo = 0.06;
 
@@ -90,17 +94,24 @@ double insideAt(const Crossing &crossing, double distance)
   return NormalDistribution::instance().at(-distance / crossing.blur).cumulative;
 }
 
-// What moves the edges outward or inward moves the depth, by the same share; and the tilt, as in the short direction of
-// the ellipse, where the ring is narrower, they are moved more.
-void addShiftDoubt(double halo, const CameraModel &camera, FittedPose &fit)
+// Of a marker's image, pixels.
+double radiusOf(const MarkerPlane &plane, const CameraModel &camera)
 {
-  const MarkerPlane &plane = fit.plane;
   const Eigen::Vector2d center = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
-  double radius = 0.; // pixels
+  double radius = 0.;
   for (const Eigen::Vector2d &q : {Eigen::Vector2d(1., 0.), Eigen::Vector2d(0., 1.)}) {
     radius = std::max(radius, (camera.toPixel(plane.project(q)) - center).norm());
   }
-  const double share = shiftOfHalo * halo / (radius * radius);
+  return radius;
+}
+
+// What moves the edges outward or inward moves the depth, by the same share; and the tilt, as in the short direction of
+// the ellipse, where the ring is narrower, they are moved more.
+// shift: pixels; radius: of the marker's image.
+void addShiftDoubt(double shift, double radius, FittedPose &fit)
+{
+  const MarkerPlane &plane = fit.plane;
+  const double share = shift / radius;
   const Eigen::Vector3d moved = share * plane.center;
   fit.covariance.topLeftCorner<3, 3>() += moved * moved.transpose();
   const Eigen::Vector3d sight = plane.center.normalized();
@@ -179,9 +190,23 @@ void addHaloDoubt(double halo, const CameraModel &camera, Measurement &measureme
   if (halo == 0. || measurement.first.photometry.blur.widest() > widestBlur) {
     return;
   }
-  addShiftDoubt(halo, camera, measurement.first);
+  const double radius = radiusOf(measurement.first.plane, camera);
+  addShiftDoubt(shiftOfHalo * halo / radius, radius, measurement.first);
   const double believed = 1. / (1. + halo * halo / (halvingHalo * halvingHalo));
   measurement.cost2 = measurement.cost + believed * (measurement.cost2 - measurement.cost);
+}
+
+void addLightDoubt(const CameraModel &camera, Measurement &measurement)
+{
+  if (!measurement.uneven) {
+    return;
+  }
+  FittedPose &fit = measurement.first;
+  // Pixels of an edge along which white and black are off alike.
+  const double widthOfEdge = std::sqrt(2. * M_PI) * fit.photometry.blur.widest();
+  const double alike = std::max(widthOfEdge * lengthOfLight * radiusOf(fit.plane, camera), 1.);
+  const double off = errorOfLight * fit.photometry.tellableContrast();
+  fit.covariance *= 1. + alike * off * off / (fit.noise * fit.noise);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -63,6 +63,12 @@ std::optional<double> haloOf(const vpImage<unsigned char> &I, const CameraModel 
   edges of a marker outward or inward, which is seen as depth and tilt, and the likelihoods of the two poses say less.
 */
 void addHaloDoubt(double halo, const CameraModel &camera, Measurement &measurement);
+
+/*!
+  Takes into account that uneven light is known to a part of the contrast only, which the pixels of an edge share: the
+  covariance grows as if so many were one. Nothing changes in even light.
+*/
+void addLightDoubt(const CameraModel &camera, Measurement &measurement);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -339,6 +339,7 @@ void vpDetectorCircleMarker::Impl::addDoubts(const Visit &visit, const EllipseCa
       fit.halo = halo.value_or(0.);
       addHaloDoubt(std::hypot(fit.halo < leastHalo ? 0. : fit.halo, visit.haloError), visit.camera, measurement);
     }
+    addLightDoubt(visit.camera, measurement);
   }
   else if (!marker.blurred) {
     measurement.first.covariance =

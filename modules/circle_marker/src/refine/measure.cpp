@@ -378,6 +378,11 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
       givenUp = giveUpHopeless(view, ranked);
     }
     ranked = fitAllPixels(view, ranked, isInDoubt || givenUp.has_value(), settings, pattern, memory);
+    // The light by all pixels, once more: poses by that of the few were off by twice as much.
+    if (uneven && !ranked.fits.empty() &&
+        tellLight(view, pattern, ranked.fits[0], settings, uneven, memory.pixels, memory.explained, *memory.fitter)) {
+      ranked = fitAllPixels(view, ranked, givenUp.has_value(), settings, pattern, memory);
+    }
     if (!ranked.fits.empty() && marker.isCertain && pattern.sectors > 0 && mayBeTurned(ranked.fits[0])) {
       ranked = withBetterSpin(memory.pixels, ranked, pattern, settings, *memory.fitter);
     }

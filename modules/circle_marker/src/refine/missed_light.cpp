@@ -64,6 +64,25 @@ bool mayBeInUnevenLight(const Recognition &marker, const MarkerPattern &pattern,
   return unexplainedBy(fit) > std::max(muchUnexplained * fit.photometry.tellableContrast(), muchMoreThanNoise * noise);
 }
 
+bool tellLight(MarkerInImage &view, const MarkerPattern &pattern, const FittedPose &fit, const FitSettings &settings,
+               std::optional<UnevenLight> &light, const std::vector<FitPixel> &pixels,
+               std::vector<ExplainedPixel> &explained, Fitter &fitter)
+{
+  fitter.explainPixels(pixels, fit, pattern, explained);
+  if (light) {
+    for (ExplainedPixel &pixel : explained) {
+      const Eigen::Vector2d place = view.frame.center + view.frame.size * pixel.offset.cast<double>();
+      pixel.grey = static_cast<float>(light->uneven(place, pixel.grey));
+    }
+  }
+  const auto now = unevenLightOf(explained, view.frame, toSheet(fit.plane, view), settings.noise.sigma);
+  if (now) {
+    light = now;
+    view.uneven = &*light;
+  }
+  return now.has_value();
+}
+
 RankedFits withEvenLight(MarkerInImage &view, const MarkerPattern &pattern, const RankedFits &few,
                          const FitSettings &settings, std::optional<UnevenLight> &light, std::vector<FitPixel> &pixels,
                          std::vector<ExplainedPixel> &explained, Fitter &fitter)
@@ -71,20 +90,10 @@ RankedFits withEvenLight(MarkerInImage &view, const MarkerPattern &pattern, cons
   RankedFits best = few;
   for (int round = 0; round < rounds; ++round) {
     const FittedPose &fit = best.fits[0];
-    fitter.explainPixels(pixels, fit, pattern, explained);
-    if (light) {
-      for (ExplainedPixel &pixel : explained) {
-        const Eigen::Vector2d place = view.frame.center + view.frame.size * pixel.offset.cast<double>();
-        pixel.grey = static_cast<float>(light->uneven(place, pixel.grey));
-      }
-    }
-    const auto now = unevenLightOf(explained, view.frame, toSheet(fit.plane, view), settings.noise.sigma);
-    if (!now) {
+    const std::optional<UnevenLight> before = light;
+    if (!tellLight(view, pattern, fit, settings, light, pixels, explained, fitter)) {
       break;
     }
-    const std::optional<UnevenLight> before = light;
-    light = now;
-    view.uneven = &*light;
     const RankedFits again = fitFewPixels(view, pattern, true, settings, pixels, fitter);
     if (again.fits.empty() || unexplainedBy(again.fits[0]) >= unexplainedBy(fit)) {
       light = before;

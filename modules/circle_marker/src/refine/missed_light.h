@@ -51,6 +51,22 @@ bool mayBeInUnevenLight(const Recognition &marker, const MarkerPattern &pattern,
 RankedFits withEvenLight(MarkerInImage &view, const MarkerPattern &pattern, const RankedFits &few,
                          const FitSettings &settings, std::optional<UnevenLight> &light, std::vector<FitPixel> &pixels,
                          std::vector<ExplainedPixel> &explained, Fitter &fitter);
+
+/*!
+  Tells the light by a fit.
+  \param view : The marker; it takes the light.
+  \param pattern : The print.
+  \param fit : The fit.
+  \param settings : Of the fit.
+  \param light : That to which the pixels were taken, if any, and then the new one.
+  \param pixels : The pixels that were fitted.
+  \param explained : Working memory.
+  \param fitter : Explains pixels.
+  \return Whether it is told; nothing changes if not.
+*/
+bool tellLight(MarkerInImage &view, const MarkerPattern &pattern, const FittedPose &fit, const FitSettings &settings,
+               std::optional<UnevenLight> &light, const std::vector<FitPixel> &pixels,
+               std::vector<ExplainedPixel> &explained, Fitter &fitter);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
