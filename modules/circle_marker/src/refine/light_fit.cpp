@@ -40,6 +40,9 @@ constexpr double edgeError = 0.5;
 constexpr double farOff = 3.;
 constexpr double lackingOfModel = 0.02;
 constexpr int reweightings = 2;
+// Pixels that are asked at most, evenly taken from all: by as many 52 coefficients are known to a seventh of the noise,
+// and it takes three milliseconds.
+constexpr std::size_t mostPixels = 1500;
 
 Eigen::Vector2d placeOf(const ExplainedPixel &pixel, const ImageFrame &frame)
 {
@@ -75,7 +78,9 @@ bool improve(const std::vector<ExplainedPixel> &pixels, const ImageFrame &frame,
   Matrix matrix = diagonal.asDiagonal();
   Vector right = Vector::Zero();
   const double floor = std::hypot(noise, lackingOfModel * step);
-  for (const ExplainedPixel &pixel : pixels) {
+  const std::size_t stride = 1 + pixels.size() / mostPixels;
+  for (std::size_t i = 0; i < pixels.size(); i += stride) {
+    const ExplainedPixel &pixel = pixels[i];
     if (mayBeTooBright(pixel.grey)) {
       continue;
     }

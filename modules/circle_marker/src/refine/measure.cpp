@@ -78,8 +78,8 @@ constexpr double mostNearer = 1.5;
 // A code in doubt, which mostly is none, is given up as soon as a fit explains it by what no print under a lens is: by
 // ink that takes more than all of the light, by a size that is not that of the outline, as a factor of the distance,
 // or, once all pixels are fitted, by a blur of this many sectors, at the track's middle, whose standard deviation
-// leaves nothing of a code. (Of 1971 such fits on the way to a code that was proven none is beyond the coarse limits
-// and four are beyond the others; of 738 on what came to nothing in pictures without markers a tenth and two in five.)
+// leaves nothing of a code. (By private counts, of 1971 such fits on the way to a code that was proven none is beyond
+// the coarse limits and four are beyond the others; of 738 on what came to nothing a tenth and two in five.)
 constexpr double mostAbsorptionInDoubt = 1.5;
 constexpr double mostNearerInDoubt = 1.25;
 constexpr double mostBlurInDoubt = 1.75;
@@ -303,6 +303,38 @@ std::optional<GivenUp> giveUpHopeless(const MarkerInImage &view, RankedFits &coa
   return givenUp;
 }
 
+// Takes all but the best coarse fit of a code in doubt out: it is proven at the better pose, and only then is the other
+// one worth a fit.
+void leaveBest(RankedFits &coarse)
+{
+  while (coarse.fits.size() > 1) {
+    coarse.fits.pop_back();
+  }
+}
+
+// The fits on all pixels, and what only these tell: the light, the spin and the sheet's bend.
+RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDoubt, bool isOneGivenUp,
+                     std::optional<UnevenLight> &uneven, const FitSettings &settings, MarkerPattern &pattern,
+                     MeasureMemory &memory)
+{
+  RankedFits ranked = fitAllPixels(view, coarse, isInDoubt || isOneGivenUp, settings, pattern, memory);
+  // The light by all pixels, once more: poses by that of the few were off by twice as much.
+  if (uneven && !ranked.fits.empty() &&
+      tellLight(view, pattern, ranked.fits[0], settings, uneven, memory.pixels, memory.explained, *memory.fitter)) {
+    ranked = fitAllPixels(view, ranked, isOneGivenUp, settings, pattern, memory);
+  }
+  if (isInDoubt || ranked.fits.empty() || pattern.sectors == 0) {
+    return ranked;
+  }
+  if (view.marker.isCertain && mayBeTurned(ranked.fits[0])) {
+    ranked = withBetterSpin(memory.pixels, ranked, pattern, settings, *memory.fitter);
+  }
+  if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && mayBend(view.marker, pattern)) {
+    ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
+  }
+  return ranked;
+}
+
 Measurement measurementOf(const RankedFits &ranked, const std::optional<GivenUp> &givenUp)
 {
   const Few<FittedPose> &fits = ranked.fits;
@@ -361,38 +393,25 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     ranked = withEvenLight(view, pattern, ranked, settings, uneven, memory.pixels, memory.explained, *memory.fitter);
   }
   const bool isInDoubt = refine && !marker.isCertain && pattern.sectors > 0;
-  const auto isHopeless = [&](bool isCoarse) {
-    return isInDoubt && !ranked.fits.empty() && !mayBePrint(ranked.fits[0], view, isCoarse);
-  };
-  if (isHopeless(true) || (isInDoubt && !ranked.fits.empty() && ranked.fits[0].correlation < leastCorrelationInDoubt)) {
+  if (isInDoubt && !ranked.fits.empty() &&
+      (ranked.fits[0].correlation < leastCorrelationInDoubt || !mayBePrint(ranked.fits[0], view, true))) {
     return std::nullopt;
   }
   std::optional<GivenUp> givenUp;
   if (refine && !ranked.fits.empty()) {
-    if (isInDoubt) { // the code is proven at the better pose: only then is the other one worth a fit
-      while (ranked.fits.size() > 1) {
-        ranked.fits.pop_back();
-      }
+    if (isInDoubt) {
+      leaveBest(ranked);
     }
     else {
       givenUp = giveUpHopeless(view, ranked);
     }
-    ranked = fitAllPixels(view, ranked, isInDoubt || givenUp.has_value(), settings, pattern, memory);
-    // The light by all pixels, once more: poses by that of the few were off by twice as much.
-    if (uneven && !ranked.fits.empty() &&
-        tellLight(view, pattern, ranked.fits[0], settings, uneven, memory.pixels, memory.explained, *memory.fitter)) {
-      ranked = fitAllPixels(view, ranked, givenUp.has_value(), settings, pattern, memory);
-    }
-    if (!ranked.fits.empty() && marker.isCertain && pattern.sectors > 0 && mayBeTurned(ranked.fits[0])) {
-      ranked = withBetterSpin(memory.pixels, ranked, pattern, settings, *memory.fitter);
-    }
-    if (!isInDoubt && !ranked.fits.empty() && ranked.fits[0].coherence > 1. && mayBend(marker, pattern)) {
-      ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
-    }
+    ranked = fitFinely(view, ranked, isInDoubt, givenUp.has_value(), uneven, settings, pattern, memory);
+  }
+  if (isInDoubt && !ranked.fits.empty() && !mayBePrint(ranked.fits[0], view, false)) {
+    return std::nullopt;
   }
   // The fit that was stopped may be that of the better pose.
-  if (ranked.fits.empty() || isHopeless(false) || deadline.hasPassed() ||
-      !isExplained(ranked.fits[0], view, pattern.sectors > 0, refine)) {
+  if (ranked.fits.empty() || deadline.hasPassed() || !isExplained(ranked.fits[0], view, pattern.sectors > 0, refine)) {
     return std::nullopt;
   }
   Measurement result = measurementOf(ranked, givenUp);
