@@ -22,6 +22,7 @@
 #include <Eigen/LU>
 
 #include "refine/light_fit.h"
+#include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -61,6 +62,9 @@ bool mayBeInUnevenLight(const Recognition &marker, const MarkerPattern &pattern,
     return false;
   }
   const FittedPose &fit = few.fits[0];
+  if (mayBeTooBright(fit.photometry.white)) {
+    return false;
+  }
   return unexplainedBy(fit) > std::max(muchUnexplained * fit.photometry.tellableContrast(), muchMoreThanNoise * noise);
 }
 
