@@ -148,6 +148,11 @@ private:
 };
 } // namespace
 
+double unexplainedBy(const FittedPose &fit)
+{
+  return fit.noise / std::max(fit.inliers, 1e-3);
+}
+
 BlurParameters boundedBlur(const BlurParameters &fitted)
 {
   BlurParameters blur;

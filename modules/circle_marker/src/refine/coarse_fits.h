@@ -34,6 +34,9 @@ struct MarkerInImage
   const UnevenLight *uneven = nullptr; //!< The light on it, if pixels are to be taken to even light.
 };
 
+/*! What a fit leaves, grey levels: the more the fewer pixels it explains. */
+double unexplainedBy(const FittedPose &fit);
+
 /*! The blur by which pixels are chosen: that of a fit, within bounds. */
 BlurParameters boundedBlur(const BlurParameters &fitted);
 

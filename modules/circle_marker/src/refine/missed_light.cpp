@@ -37,12 +37,6 @@ constexpr double leastCorrelation = 0.75;
 // The light by the first fits is a little off, as their poses are.
 constexpr int rounds = 3;
 
-// What a fit leaves, grey levels: the more the fewer pixels it explains.
-double unexplainedBy(const FittedPose &fit)
-{
-  return fit.noise / std::max(fit.inliers, 1e-3);
-}
-
 // From the coordinates of an image's frame to the marker's plane, in outer radii, near its centre.
 Eigen::Matrix2d toSheet(const MarkerPlane &plane, const MarkerInImage &view)
 {

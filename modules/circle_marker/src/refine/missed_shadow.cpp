@@ -29,11 +29,6 @@ constexpr double mostLeftWithShadow = 0.8;
 // Markers fitted without the shadow on them correlate by this; most letters by less.
 constexpr double leastCorrelation = 0.94;
 
-// What a fit leaves, grey levels: the more the fewer pixels it explains.
-double unexplainedBy(const FittedPose &fit)
-{
-  return fit.noise / std::max(fit.inliers, 1e-3);
-}
 } // namespace
 
 bool mayHaveShadow(const Recognition &marker, const MarkerPattern &pattern, const RankedFits &few)
