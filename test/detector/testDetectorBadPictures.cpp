@@ -200,6 +200,11 @@ TEST(DetectorBadPictures, ReflectionOnMoreSectors)
   expectFound(bch31r, reflectLamp);
 }
 
+TEST(DetectorBadPictures, ReflectionOnSmallCodes)
+{
+  expectFound(golay23, reflectLamp, 18., 23.);
+}
+
 TEST(DetectorBadPictures, CovarianceUnderAReflection)
 {
   expectCovariance(golay23, reflectLamp);

@@ -75,6 +75,13 @@ void setCode(const PlacedCode &code, const Measurement &measurement, Recognition
   }
 }
 
+// frame: of the light in the measurement.
+MeasuredView viewOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Measurement &measurement,
+                    const ImageFrame &frame)
+{
+  return {I, camera, measurement.first, frame, measurement.uneven ? &*measurement.uneven : nullptr};
+}
+
 // The image that a marker is measured in, and what it is measured with.
 struct Measuring
 {
@@ -93,7 +100,7 @@ struct Measuring
   std::optional<LikelyCode> mostLikelyCode(const Measurement &measurement, const ImageFrame &frame,
                                            const vpCircleMarkerFamily &family) const
   {
-    return circle_marker::mostLikelyCode(I, camera, measurement.first, frame, family, memory.code, deadline);
+    return circle_marker::mostLikelyCode(viewOf(I, camera, measurement, frame), family, memory.code, deadline);
   }
 };
 
@@ -245,7 +252,7 @@ bool mayBeOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, 
   if (!marker.family.isCoded() || marker.seen || marker.blurred) {
     return false;
   }
-  const auto odds = oddsIfOverExposed(I, camera, measurement.first, frameOf(marker.poses[0], camera), marker.family,
+  const auto odds = oddsIfOverExposed(viewOf(I, camera, measurement, frameOf(marker.poses[0], camera)), marker.family,
                                       marker.family.getCodeword(marker.code.id), memory.code);
   return odds && *odds < leastOddsIfOverExposed;
 }

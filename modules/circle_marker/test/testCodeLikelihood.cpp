@@ -50,7 +50,7 @@ vpImage<unsigned char> imageOf(const MarkerScene &scene, Random &random)
 std::optional<LikelyCode> read(const vpImage<unsigned char> &I, const MarkerScene &scene, double spin)
 {
   CodeImage track;
-  return mostLikelyCode(I, CameraModel(scene.camera()), fitOf(scene, spin), scene.frame(), scene.family, track);
+  return mostLikelyCode({I, CameraModel(scene.camera()), fitOf(scene, spin), scene.frame()}, scene.family, track);
 }
 } // namespace
 
@@ -119,9 +119,9 @@ TEST(CodeLikelihood, TheGroundIsSeenFromANarrowTrack)
     CodeImage track;
     const CameraModel camera(scene.camera());
     fit.photometry.surround = {{0., 1.}}; // the sheet is square
-    const auto code = mostLikelyCode(I, camera, fit, scene.frame(), family, track);
+    const auto code = mostLikelyCode({I, camera, fit, scene.frame()}, family, track);
     fit.photometry.surround = {{0., 0.}};
-    const auto asIfPaperWentOn = mostLikelyCode(I, camera, fit, scene.frame(), family, track);
+    const auto asIfPaperWentOn = mostLikelyCode({I, camera, fit, scene.frame()}, family, track);
     ASSERT_TRUE(code && asIfPaperWentOn);
     EXPECT_EQ(code->best.id, id) << "minor axis " << minor << " tilt " << tilt;
     EXPECT_GT(code->odds, 25.) << "minor axis " << minor << " tilt " << tilt;
@@ -173,7 +173,7 @@ TEST(CodeLikelihood, OddsFallWithTheNoise)
   double last = HUGE_VAL;
   for (const double believed : {2., 20., 40., 80.}) {
     fit.noise = believed;
-    const auto code = mostLikelyCode(I, CameraModel(scene.camera()), fit, scene.frame(), scene.family, track);
+    const auto code = mostLikelyCode({I, CameraModel(scene.camera()), fit, scene.frame()}, scene.family, track);
     ASSERT_TRUE(code);
     EXPECT_LT(code->odds, last);
     last = code->odds;
@@ -190,7 +190,7 @@ TEST(CodeLikelihood, SharedNoiseLowersTheOdds)
   CodeImage track;
   const auto oddsIfShared = [&](double sharing) {
     fit.sharing = sharing;
-    const auto code = mostLikelyCode(I, CameraModel(scene.camera()), fit, scene.frame(), scene.family, track);
+    const auto code = mostLikelyCode({I, CameraModel(scene.camera()), fit, scene.frame()}, scene.family, track);
     return code ? code->odds : 0.;
   };
   const double independent = oddsIfShared(1.);
@@ -241,14 +241,49 @@ TEST(CodeLikelihood, AcrossTheEdgeOfAShadow)
     const vpImage<unsigned char> I = digitise(expose(side, side, blur, shaded), noise, random);
     CodeImage track;
     const CameraModel camera(scene.camera());
-    const auto inEvenLight = mostLikelyCode(I, camera, fit, frame, family, track);
+    const auto inEvenLight = mostLikelyCode({I, camera, fit, frame}, family, track);
     fit.photometry.shadow = shadow;
-    const auto code = mostLikelyCode(I, camera, fit, frame, family, track);
+    const auto code = mostLikelyCode({I, camera, fit, frame}, family, track);
     ASSERT_TRUE(code && inEvenLight);
     EXPECT_EQ(code->best.id, id) << "factor " << shadow.factor << " edge " << shadow.edge;
     EXPECT_GT(code->odds, 15.) << "factor " << shadow.factor << " edge " << shadow.edge;
     EXPECT_LT(code->unexplained, 1.3) << "factor " << shadow.factor << " edge " << shadow.edge;
     EXPECT_TRUE(inEvenLight->best.id != id || inEvenLight->unexplained > 2. * code->unexplained) << "without it";
+  }
+}
+
+TEST(CodeLikelihood, ReadUnderAReflection)
+{
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31, vpCircleMarkerFamily::BCH31R}) {
+    const vpCircleMarkerFamily family(type);
+    const int id = static_cast<int>(random() % family.getNbIds());
+    const MarkerScene scene =
+        markerScene(random, family, id, uniform(random, 16., 30.), uniform(random, 0., 0.8), side);
+    const ImageFrame frame = scene.frame();
+    const double added = uniform(random, 0.5, 0.7) * (scene.white - scene.black);
+    const auto glossy = [&](double u, double v) { // a spot at (0.55, -0.55) radii, as wide as that is far from the axes
+      const Eigen::Vector2d q = (Eigen::Vector2d(u, v) - frame.center) / frame.size;
+      return 0.6 * scene(u, v) + added * std::exp(-0.5 * (q / 0.55 - Eigen::Vector2d(1., -1.)).squaredNorm());
+    };
+    const vpImage<unsigned char> I = digitise(expose(side, side, blur, glossy), noise, random);
+    FittedPose fit = fitOf(scene, 0.);
+    fit.photometry.white = 0.6 * scene.white;
+    UnevenLight light;
+    light.center = frame.center;
+    light.toSheet = Eigen::Matrix2d::Identity() / frame.size;
+    light.white[0] = light.meanWhite = fit.photometry.white;
+    light.step[0] = light.meanStep = 0.6 * (scene.white - scene.black);
+    light.white[1 + 3 + UnevenLight::inRow] = added; // row 1 and column 3 of the grid, by 0.55 from -1.1 on
+    CodeImage track;
+    const CameraModel camera(scene.camera());
+    const auto asIfEven = mostLikelyCode({I, camera, fit, frame}, family, track);
+    const auto code = mostLikelyCode({I, camera, fit, frame, &light}, family, track);
+    ASSERT_TRUE(code);
+    EXPECT_EQ(code->best.id, id);
+    EXPECT_GT(code->odds, 15.);
+    EXPECT_LT(code->unexplained, 1.3);
+    EXPECT_TRUE(!asIfEven || asIfEven->best.id != id || asIfEven->unexplained > 3. * code->unexplained) << "without it";
   }
 }
 
@@ -260,15 +295,15 @@ TEST(CodeLikelihood, NoneWhereTheModelDoesNotHold)
   const CameraModel camera(scene.camera());
   CodeImage track;
   FittedPose fit = fitOf(scene, 0.);
-  ASSERT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track));
+  ASSERT_TRUE(mostLikelyCode({I, camera, fit, scene.frame()}, scene.family, track));
   fit.photometry.white = 400.;
-  EXPECT_TRUE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track)) << "no pixel is as bright as that";
+  EXPECT_TRUE(mostLikelyCode({I, camera, fit, scene.frame()}, scene.family, track)) << "no pixel is as bright as that";
   vpImage<unsigned char> tooBright = I;
   for (unsigned int i = 0; i < tooBright.getSize(); ++i) {
     tooBright.bitmap[i] = static_cast<unsigned char>(std::min(2. * I.bitmap[i], 255.));
   }
-  EXPECT_FALSE(mostLikelyCode(tooBright, camera, fit, scene.frame(), scene.family, track)) << "over-exposed";
+  EXPECT_FALSE(mostLikelyCode({tooBright, camera, fit, scene.frame()}, scene.family, track)) << "over-exposed";
   fit = fitOf(scene, 0.);
   fit.plane.center.x() += 0.55 * side / scene.focal * fit.plane.center.z();
-  EXPECT_FALSE(mostLikelyCode(I, camera, fit, scene.frame(), scene.family, track)) << "at the image's border";
+  EXPECT_FALSE(mostLikelyCode({I, camera, fit, scene.frame()}, scene.family, track)) << "at the image's border";
 }

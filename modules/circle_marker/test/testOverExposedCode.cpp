@@ -58,7 +58,7 @@ std::optional<double> oddsOf(const vpImage<unsigned char> &I, const MarkerScene 
   fit.photometry.blur.sigma = std::sqrt(blur * blur + 1. / 12.);
   fit.noise = noise;
   CodeImage track;
-  return oddsIfOverExposed(I, CameraModel(scene.camera()), fit, scene.frame(), scene.family, word, track);
+  return oddsIfOverExposed({I, CameraModel(scene.camera()), fit, scene.frame()}, scene.family, word, track);
 }
 } // namespace
 

@@ -180,7 +180,7 @@ void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
 
 void evenOut(const MarkerInImage &view, std::vector<FitPixel> &pixels)
 {
-  if (view.uneven == nullptr) {
+  if (!view.uneven) {
     return;
   }
   const auto isTooBright = [](const FitPixel &pixel) { return mayBeTooBright(pixel.grey); };

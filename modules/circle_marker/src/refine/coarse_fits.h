@@ -18,6 +18,8 @@
 #ifndef VP_CIRCLE_MARKER_COARSE_FITS_H
 #define VP_CIRCLE_MARKER_COARSE_FITS_H
 
+#include <optional>
+
 #include "decode/recognise.h"
 #include "decode/uneven_light.h"
 #include "refine/ranked_fits.h"
@@ -31,7 +33,7 @@ struct MarkerInImage
   const CameraModel &camera;
   const ImageFrame frame; //!< Coordinates of the light.
   const Recognition &marker;
-  const UnevenLight *uneven = nullptr; //!< The light on it, if pixels are to be taken to even light.
+  std::optional<UnevenLight> uneven; //!< The light on it, if pixels are to be taken to even light.
 };
 
 /*! What a fit leaves, grey levels: the more the fewer pixels it explains. */

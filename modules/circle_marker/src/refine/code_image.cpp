@@ -131,9 +131,8 @@ struct SeenLight
 class SeenGround
 {
 public:
-  SeenGround(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit,
-             const vpCircleMarkerLayout &layout)
-      : m_image(I), m_camera(camera), m_fit(fit), m_papers(papersAround(layout))
+  SeenGround(const MeasuredView &view, const vpCircleMarkerLayout &layout)
+      : m_view(view), m_papers(papersAround(layout))
   {
   }
 
@@ -147,7 +146,7 @@ public:
     if (!m_isLookedAt) {
       for (std::size_t shape = 0; shape < paperShapes; ++shape) {
         m_surrounds[shape] =
-            surroundOf(m_image, m_camera, m_fit.plane, m_papers[shape], m_fit.photometry.blur.widest());
+            surroundOf(m_view.I, m_view.camera, m_view.fit.plane, m_papers[shape], m_view.fit.photometry.blur.widest());
       }
       m_isLookedAt = true;
     }
@@ -156,7 +155,7 @@ public:
     for (std::size_t shape = 0; shape < paperShapes; ++shape) {
       const Surround &surround = m_surrounds[shape];
       if (std::isfinite(surround.spread[direction])) {
-        more += m_fit.photometry.surround[shape] * shareBeyond(point, m_papers[shape], 1.).share *
+        more += m_view.fit.photometry.surround[shape] * shareBeyond(point, m_papers[shape], 1.).share *
                 (surround.grey[direction] - white);
       }
     }
@@ -164,9 +163,7 @@ public:
   }
 
 private:
-  const vpImage<unsigned char> &m_image;
-  const CameraModel &m_camera;
-  const FittedPose &m_fit;
+  const MeasuredView &m_view;
   const PaperEnds m_papers;
   std::array<Surround, paperShapes> m_surrounds;
   bool m_isLookedAt = false; // most tracks see nothing of it
@@ -176,10 +173,9 @@ private:
 class CodePixels
 {
 public:
-  CodePixels(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit, const ImageFrame &frame,
-             const vpCircleMarkerLayout &layout, int sectors, CodeImage &track)
-      : m_camera(camera), m_fit(fit), m_frame(frame), m_layout(layout), m_sectors(sectors), m_track(track),
-        m_blur(fit.photometry.blur.sigma * fit.photometry.blur.shape()), m_ground(I, camera, fit, layout)
+  CodePixels(const MeasuredView &view, const vpCircleMarkerLayout &layout, int sectors, CodeImage &track)
+      : m_view(view), m_photometry(view.fit.photometry), m_layout(layout), m_sectors(sectors), m_track(track),
+        m_blur(m_photometry.blur.sigma * m_photometry.blur.shape()), m_ground(view, layout)
   {
     m_track.pixels.clear();
     m_track.pieces.clear();
@@ -189,7 +185,7 @@ public:
   // A pixel, which is taken if it sees the track; false if there is no light on it.
   bool add(const Eigen::Vector2d &pixel, double grey)
   {
-    PlanePoint point = planePoint({m_camera.toMeter(pixel), m_camera.meterPerPixel(pixel)}, m_fit.plane);
+    PlanePoint point = planePoint({m_view.camera.toMeter(pixel), m_view.camera.meterPerPixel(pixel)}, m_view.fit.plane);
     point.byPixel = point.byPixel * m_blur;
     const Rims rims = {insideOf(m_layout.codeOuter, point), insideOf(m_layout.codeInner, point)};
     const bool isByLines = wantsLines(point, m_layout, m_sectors);
@@ -205,9 +201,9 @@ public:
     if (isByLines && m_track.pieces.size() == begin) {
       return true; // sees nothing of the track
     }
-    const double leastTold = light->mostTold < 1. ? m_fit.photometry.blackOf(light->mostTold) - ring : -HUGE_VAL;
+    const double leastTold = light->mostTold < 1. ? m_photometry.blackOf(light->mostTold) - ring : -HUGE_VAL;
     m_track.pixels.push_back({point, rims, std::atan2(point.q.y(), point.q.x()),
-                              m_fit.photometry.blackOf(light->share) - ring, leastTold, begin, m_track.pieces.size()});
+                              m_photometry.blackOf(light->share) - ring, leastTold, begin, m_track.pieces.size()});
     m_track.isOverExposed |= light->isTooBright;
     m_squaredContrast += light->contrast * light->contrast;
     return true;
@@ -220,20 +216,20 @@ private:
   // Nothing where there is none.
   std::optional<SeenLight> lightOf(const Eigen::Vector2d &pixel, const PlanePoint &point, double grey)
   {
-    const double light = m_fit.photometry.whiteAt((pixel - m_frame.center) / m_frame.size);
-    const double contrast = light * m_fit.photometry.contrast();
+    const double light = m_view.whiteAt(pixel);
+    const double contrast = light * m_photometry.contrast();
     if (contrast <= 0.) {
       return std::nullopt;
     }
-    const bool isHidden = light > brightestTold && mayBeTooBright(grey);
-    const double onPaper = (isHidden ? light : grey) - m_ground.brightens(point, light);
-    return SeenLight{onPaper / light, brightestTold / light, contrast,
-                     isHidden && light - brightestTold > mostHidden * contrast};
+    const double brightest = m_view.inEvenLight(pixel, brightestTold);
+    const bool isHidden = light > brightest && mayBeTooBright(grey);
+    const double onPaper = (isHidden ? light : m_view.inEvenLight(pixel, grey)) - m_ground.brightens(point, light);
+    return SeenLight{onPaper / light, brightest / light, contrast,
+                     isHidden && light - brightest > mostHidden * contrast};
   }
 
-  const CameraModel &m_camera;
-  const FittedPose &m_fit;
-  const ImageFrame &m_frame;
+  const MeasuredView &m_view;
+  const Photometry &m_photometry;
   const vpCircleMarkerLayout &m_layout;
   const int m_sectors;
   CodeImage &m_track;
@@ -243,18 +239,18 @@ private:
 };
 } // namespace
 
-bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit,
-                const ImageFrame &frame, const vpCircleMarkerLayout &layout, int sectors, CodeImage &track)
+bool lookAtCode(const MeasuredView &view, const vpCircleMarkerLayout &layout, int sectors, CodeImage &track)
 {
+  const vpImage<unsigned char> &I = view.I;
   constexpr int directions = 16;
-  const auto [least, most] = boundsOfCircle(fit.plane, camera, layout.codeOuter, directions);
-  const double margin = around * fit.photometry.blur.widest() + 1.;
+  const auto [least, most] = boundsOfCircle(view.fit.plane, view.camera, layout.codeOuter, directions);
+  const double margin = around * view.fit.photometry.blur.widest() + 1.;
   const bool isInside = least.x() >= margin && least.y() >= margin && most.x() <= I.getWidth() - 1. - margin &&
                         most.y() <= I.getHeight() - 1. - margin;
   if (!isInside) {
     return false;
   }
-  CodePixels pixels(I, camera, fit, frame, layout, sectors, track);
+  CodePixels pixels(view, layout, sectors, track);
   const auto left = static_cast<unsigned int>(least.x() - margin);
   const auto top = static_cast<unsigned int>(least.y() - margin);
   const unsigned int right = std::min(static_cast<unsigned int>(most.x() + margin) + 1, I.getWidth() - 1);
@@ -269,7 +265,7 @@ bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, cons
   if (track.pixels.empty()) {
     return false;
   }
-  track.noise = std::hypot(fit.noise / pixels.contrast(), modelError);
+  track.noise = std::hypot(view.fit.noise / pixels.contrast(), modelError);
   return true;
 }
 

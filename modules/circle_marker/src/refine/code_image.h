@@ -24,6 +24,7 @@
 #include <Eigen/Core>
 
 #include "decode/code_track.h"
+#include "decode/uneven_light.h"
 #include "refine/fit_pixel.h"
 #include "refine/fitted_pose.h"
 #include "refine/plane_point.h"
@@ -88,19 +89,37 @@ struct SeenSectors
   int count = 0;
 };
 
+/*! A marker whose pose and light are measured, in its image. */
+struct MeasuredView
+{
+  const vpImage<unsigned char> &I;
+  const CameraModel &camera;
+  const FittedPose &fit;               //!< Pose, light and blur.
+  ImageFrame frame;                    //!< Coordinates of the image in which the light was measured.
+  const UnevenLight *uneven = nullptr; //!< The light, if that of the fit is what is left in even light.
+
+  /*! Grey level of white paper at a pixel, in even light. */
+  double whiteAt(const Eigen::Vector2d &pixel) const
+  {
+    return fit.photometry.whiteAt((pixel - frame.center) / frame.size);
+  }
+
+  /*! The grey level that a pixel of this one would have in even light. */
+  double inEvenLight(const Eigen::Vector2d &pixel, double grey) const
+  {
+    return uneven != nullptr ? uneven->evened(pixel, grey) : grey;
+  }
+};
+
 /*!
   Looks at the track of a marker whose pose is measured.
-  \param I : The image.
-  \param camera : Its camera.
-  \param fit : Pose, light and blur; the spin may be any.
-  \param frame : Coordinates of the image in which the light was measured.
+  \param view : The marker; its spin may be any.
   \param layout : Radii of the track.
   \param sectors : Of the code.
   \param track : The result; its memory is used again.
   \return False if the track leaves the image or there is no light on it.
 */
-bool lookAtCode(const vpImage<unsigned char> &I, const CameraModel &camera, const FittedPose &fit,
-                const ImageFrame &frame, const vpCircleMarkerLayout &layout, int sectors, CodeImage &track);
+bool lookAtCode(const MeasuredView &view, const vpCircleMarkerLayout &layout, int sectors, CodeImage &track);
 
 /*! What a pixel of a track sees of the sectors with these borders. */
 SeenSectors sectorsSeenBy(const CodePixel &pixel, const CodeImage &track, const vpCircleMarkerLayout &layout,

@@ -103,14 +103,13 @@ private:
 };
 } // namespace
 
-std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                         const FittedPose &fit, const ImageFrame &frame,
-                                         const vpCircleMarkerFamily &family, CodeImage &track, const Deadline &deadline)
+std::optional<LikelyCode> mostLikelyCode(const MeasuredView &view, const vpCircleMarkerFamily &family, CodeImage &track,
+                                         const Deadline &deadline)
 {
   const vpCircleMarkerLayout &layout = family.getLayout();
   const CyclicCode &code = codeOf(family);
   const auto sectors = static_cast<int>(code.getLength());
-  if (!lookAtCode(I, camera, fit, frame, layout, sectors, track) || track.isOverExposed) {
+  if (!lookAtCode(view, layout, sectors, track) || track.isOverExposed) {
     return std::nullopt;
   }
   const double pitch = fullTurn / sectors;
@@ -129,7 +128,7 @@ std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const 
   }
   const Contender next = contenders.next(pitch);
   const double variance = track.noise * track.noise;
-  return LikelyCode{best.code, next.code, (next.cost - best.cost) / (2. * variance * fit.sharing),
+  return LikelyCode{best.code, next.code, (next.cost - best.cost) / (2. * variance * view.fit.sharing),
                     std::sqrt(std::max(best.cost, 0.) / (variance * static_cast<double>(track.pixels.size())))};
 }
 } // namespace circle_marker

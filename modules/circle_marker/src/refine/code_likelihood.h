@@ -38,7 +38,6 @@
 #include "support/deadline.h"
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
-#include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -60,19 +59,14 @@ struct LikelyCode
 
 /*!
   Reads the code of a marker whose pose is measured.
-  \param I : The image.
-  \param camera : Its camera.
-  \param fit : Pose, light and blur; the spin may be any.
-  \param frame : Coordinates of the image in which the light was measured.
+  \param view : The marker; its spin may be any.
   \param family : Family of the marker, with a code.
   \param track : Working memory.
   \param deadline : When to stop: there is no result then.
   \return Nothing where the model does not hold: where the sensor cannot tell how bright the paper is by more than a
   tenth of the contrast, at the image's border.
 */
-std::optional<LikelyCode> mostLikelyCode(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                         const FittedPose &fit, const ImageFrame &frame,
-                                         const vpCircleMarkerFamily &family, CodeImage &track,
+std::optional<LikelyCode> mostLikelyCode(const MeasuredView &view, const vpCircleMarkerFamily &family, CodeImage &track,
                                          const Deadline &deadline = Deadline());
 } // namespace circle_marker
 END_VISP_NAMESPACE

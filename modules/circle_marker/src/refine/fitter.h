@@ -76,6 +76,18 @@ std::unique_ptr<Fitter> makeFitter(Instructions instructions);
 
 /*! A fitter with the widest instructions there are. */
 std::unique_ptr<Fitter> makeFitter();
+
+/*! What poses are fitted with, used again from one marker to the next. A copy has a memory of its own. */
+struct FittingMemory
+{
+  FittingMemory() = default;
+  FittingMemory(const FittingMemory &) {}
+  FittingMemory &operator=(const FittingMemory &) { return *this; }
+
+  std::vector<FitPixel> pixels;                  //!< The pixels that are explained.
+  std::vector<ExplainedPixel> explained;         //!< The pixels as a fit explains them.
+  std::unique_ptr<Fitter> fitter = makeFitter(); //!< What fits poses to them.
+};
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

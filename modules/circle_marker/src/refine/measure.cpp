@@ -106,7 +106,7 @@ RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &sett
   const Recognition &marker = view.marker;
   RankedFits coarse = fitFewPixels(view, pattern, refine, settings, memory.pixels, *memory.fitter);
   if (refine && mayHaveShadow(marker, pattern, coarse)) {
-    coarse = withMissedShadow(view, pattern, coarse, settings, memory.pixels, memory.explained, *memory.fitter);
+    coarse = withMissedShadow(view, pattern, coarse, settings, memory);
   }
   return coarse;
 }
@@ -312,24 +312,31 @@ void leaveBest(RankedFits &coarse)
   }
 }
 
+// Fits on all pixels in the light that the fits tell, by as many pixels.
+RankedFits fitInToldLight(MarkerInImage &view, const RankedFits &ranked, bool isOneGivenUp, const FitSettings &settings,
+                          MarkerPattern &pattern, MeasureMemory &memory)
+{
+  const bool isTold = !ranked.fits.empty() && tellLight(view, pattern, ranked.fits[0], settings, memory);
+  return isTold ? fitAllPixels(view, ranked, isOneGivenUp, settings, pattern, memory) : ranked;
+}
+
 // The fits on all pixels, and what only these tell: the light, the spin and the sheet's bend.
 RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDoubt, bool isOneGivenUp,
-                     std::optional<UnevenLight> &uneven, const FitSettings &settings, MarkerPattern &pattern,
-                     MeasureMemory &memory)
+                     const FitSettings &settings, MarkerPattern &pattern, MeasureMemory &memory)
 {
+  const Recognition &marker = view.marker;
   RankedFits ranked = fitAllPixels(view, coarse, isInDoubt || isOneGivenUp, settings, pattern, memory);
-  // The light by all pixels, once more: of four that were looked at the depth was off by a third to a half less then.
-  if (uneven && !ranked.fits.empty() &&
-      tellLight(view, pattern, ranked.fits[0], settings, uneven, memory.pixels, memory.explained, *memory.fitter)) {
-    ranked = fitAllPixels(view, ranked, isOneGivenUp, settings, pattern, memory);
+  if (view.uneven && !marker.measuredRing) {
+    // The light by all pixels, once more: of four that were looked at the depth was off by a third to a half less then.
+    ranked = fitInToldLight(view, ranked, isOneGivenUp, settings, pattern, memory);
   }
   if (isInDoubt || ranked.fits.empty() || pattern.sectors == 0) {
     return ranked;
   }
-  if (view.marker.isCertain && mayBeTurned(ranked.fits[0])) {
+  if (marker.isCertain && mayBeTurned(ranked.fits[0])) {
     ranked = withBetterSpin(memory.pixels, ranked, pattern, settings, *memory.fitter);
   }
-  if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && mayBend(view.marker, pattern)) {
+  if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && mayBend(marker, pattern)) {
     ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
   }
   return ranked;
@@ -380,17 +387,14 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   if (marker.darkness) {
     pattern.darkness = *marker.darkness;
   }
-  MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker};
-  if (marker.measuredRing && marker.measuredRing->uneven) {
-    view.uneven = &*marker.measuredRing->uneven;
-  }
+  MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker,
+                        marker.measuredRing ? marker.measuredRing->uneven : std::nullopt};
   FitSettings settings = settingsFor(view, pattern, deadline);
   settings.noise = noise;
   RankedFits ranked =
       marker.measuredRing && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
-  std::optional<UnevenLight> uneven;
-  if (refine && mayBeInUnevenLight(marker, pattern, ranked, noise.sigma)) {
-    ranked = withEvenLight(view, pattern, ranked, settings, uneven, memory.pixels, memory.explained, *memory.fitter);
+  if (refine && mayBeInUnevenLight(marker, pattern, ranked, memory.pixels, noise.sigma)) {
+    ranked = withEvenLight(view, pattern, ranked, settings, memory);
   }
   const bool isInDoubt = refine && !marker.isCertain && pattern.sectors > 0;
   if (isInDoubt && !ranked.fits.empty() &&
@@ -405,7 +409,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     else {
       givenUp = giveUpHopeless(view, ranked);
     }
-    ranked = fitFinely(view, ranked, isInDoubt, givenUp.has_value(), uneven, settings, pattern, memory);
+    ranked = fitFinely(view, ranked, isInDoubt, givenUp.has_value(), settings, pattern, memory);
   }
   if (isInDoubt && !ranked.fits.empty() && !mayBePrint(ranked.fits[0], view, false)) {
     return std::nullopt;
@@ -415,9 +419,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     return std::nullopt;
   }
   Measurement result = measurementOf(ranked, givenUp);
-  if (view.uneven != nullptr) {
-    result.uneven = *view.uneven;
-  }
+  result.uneven = view.uneven;
   if (!refine && result.second) {
     result.cost2 = result.cost + unrefinedOdds(result.cost2 - result.cost, result.first, ranked.noise);
   }

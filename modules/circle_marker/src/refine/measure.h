@@ -18,9 +18,7 @@
 #ifndef VP_CIRCLE_MARKER_MEASURE_H
 #define VP_CIRCLE_MARKER_MEASURE_H
 
-#include <memory>
 #include <optional>
-#include <vector>
 
 #include "decode/recognise.h"
 #include "refine/code_image.h"
@@ -42,21 +40,15 @@ struct Measurement
 /*! Coordinates in which measure() tells the light on a marker: those of the first pose that was recognised. */
 ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera);
 
-/*!
-  Working memory of measure() and of what is read at a measured pose, used again from one marker to the next. A copy has
-  a memory of its own.
-*/
-struct MeasureMemory
+/*! Working memory of measure(), and of what is read at a measured pose. A copy has a memory of its own. */
+struct MeasureMemory : FittingMemory
 {
   MeasureMemory() = default;
-  MeasureMemory(const MeasureMemory &) {}
+  MeasureMemory(const MeasureMemory &) : FittingMemory() {}
   MeasureMemory &operator=(const MeasureMemory &) { return *this; }
 
-  std::vector<FitPixel> pixels;                  //!< The pixels that are explained.
-  std::unique_ptr<Fitter> fitter = makeFitter(); //!< What fits poses to them.
-  TrackMemory track;                             //!< Of the code track's pixels.
-  CodeImage code;                                //!< The same of a small marker.
-  std::vector<ExplainedPixel> explained;         //!< The pixels as a fit explains them.
+  TrackMemory track; //!< Of the code track's pixels.
+  CodeImage code;    //!< The same of a small marker.
 };
 
 /*!

@@ -18,24 +18,24 @@
 #ifndef VP_CIRCLE_MARKER_MISSED_LIGHT_H
 #define VP_CIRCLE_MARKER_MISSED_LIGHT_H
 
-#include <optional>
 #include <vector>
 
 #include "refine/coarse_fits.h"
-#include "refine/shadow_split.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  Whether coarse fits of a marker that was read for certain leave so much that the light on it may be uneven. This is
+  Whether fits of a marker that was read for certain leave so much that the light on it may be uneven. This is
   not asked of rings without a code, nor of covered markers, nor where paper is brighter than the sensor can tell: what
   is cut off there looks like uneven light, and hides what tells a code from another (over_exposed_code.h).
   \param marker : The marker.
   \param pattern : Its print.
   \param few : The fits.
+  \param pixels : The pixels that were fitted.
   \param noise : Standard deviation of the image's noise, grey levels.
 */
-bool mayBeInUnevenLight(const Recognition &marker, const MarkerPattern &pattern, const RankedFits &few, double noise);
+bool mayBeInUnevenLight(const Recognition &marker, const MarkerPattern &pattern, const RankedFits &few,
+                        const std::vector<FitPixel> &pixels, double noise);
 
 /*!
   Coarse fits in even light, by the light that such fits show in what they leave.
@@ -43,31 +43,23 @@ bool mayBeInUnevenLight(const Recognition &marker, const MarkerPattern &pattern,
   \param pattern : The print.
   \param few : The fits.
   \param settings : Of the fits.
-  \param light : Where the light is kept, as long as the view is used.
-  \param pixels : The pixels that were fitted; those of the last fit.
-  \param explained : Working memory.
-  \param fitter : Fits.
+  \param memory : Holds the pixels that were fitted; those of the last fit.
   \return The fits as they are if those in even light do not leave far less.
 */
 RankedFits withEvenLight(MarkerInImage &view, const MarkerPattern &pattern, const RankedFits &few,
-                         const FitSettings &settings, std::optional<UnevenLight> &light, std::vector<FitPixel> &pixels,
-                         std::vector<ExplainedPixel> &explained, Fitter &fitter);
+                         const FitSettings &settings, FittingMemory &memory);
 
 /*!
   Tells the light by a fit.
-  \param view : The marker; it takes the light.
+  \param view : The marker, with the light to which the pixels were taken, if any; it takes the new one.
   \param pattern : The print.
   \param fit : The fit.
   \param settings : Of the fit.
-  \param light : That to which the pixels were taken, if any, and then the new one.
-  \param pixels : The pixels that were fitted.
-  \param explained : Working memory.
-  \param fitter : Explains pixels.
+  \param memory : Holds the pixels that were fitted.
   \return Whether it is told; nothing changes if not.
 */
 bool tellLight(MarkerInImage &view, const MarkerPattern &pattern, const FittedPose &fit, const FitSettings &settings,
-               std::optional<UnevenLight> &light, const std::vector<FitPixel> &pixels,
-               std::vector<ExplainedPixel> &explained, Fitter &fitter);
+               FittingMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

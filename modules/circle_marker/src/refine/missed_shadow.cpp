@@ -28,7 +28,6 @@ constexpr double muchUnexplained = 0.02;
 constexpr double mostLeftWithShadow = 0.8;
 // Markers fitted without the shadow on them correlate by this; most letters by less.
 constexpr double leastCorrelation = 0.94;
-
 } // namespace
 
 bool mayHaveShadow(const Recognition &marker, const MarkerPattern &pattern, const RankedFits &few)
@@ -41,17 +40,16 @@ bool mayHaveShadow(const Recognition &marker, const MarkerPattern &pattern, cons
 }
 
 RankedFits withMissedShadow(const MarkerInImage &view, const MarkerPattern &pattern, const RankedFits &few,
-                            FitSettings &settings, std::vector<FitPixel> &pixels,
-                            std::vector<ExplainedPixel> &explained, Fitter &fitter)
+                            FitSettings &settings, FittingMemory &memory)
 {
   const FittedPose &plain = few.fits[0];
-  fitter.explainPixels(pixels, plain, pattern, explained);
+  memory.fitter->explainPixels(memory.pixels, plain, pattern, memory.explained);
   FitSettings shaded = settings;
-  shaded.shadow = shadowBySplit(explained, view.frame.size);
+  shaded.shadow = shadowBySplit(memory.explained, view.frame.size);
   if (!shaded.shadow) {
     return few;
   }
-  const RankedFits again = fitFewPixels(view, pattern, true, shaded, pixels, fitter);
+  const RankedFits again = fitFewPixels(view, pattern, true, shaded, memory.pixels, *memory.fitter);
   if (again.fits.empty() || unexplainedBy(again.fits[0]) > mostLeftWithShadow * unexplainedBy(plain)) {
     return few;
   }

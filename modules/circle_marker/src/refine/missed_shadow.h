@@ -18,10 +18,7 @@
 #ifndef VP_CIRCLE_MARKER_MISSED_SHADOW_H
 #define VP_CIRCLE_MARKER_MISSED_SHADOW_H
 
-#include <vector>
-
 #include "refine/coarse_fits.h"
-#include "refine/shadow_split.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -38,14 +35,11 @@ bool mayHaveShadow(const Recognition &marker, const MarkerPattern &pattern, cons
   \param pattern : The print.
   \param few : The fits.
   \param settings : Of the fits; they take the shadow.
-  \param pixels : The pixels that were fitted; those of the last fit.
-  \param explained : Working memory.
-  \param fitter : Fits.
+  \param memory : Holds the pixels that were fitted; those of the last fit.
   \return The fits as they are, and the settings too, if those with a shadow do not leave clearly less.
 */
 RankedFits withMissedShadow(const MarkerInImage &view, const MarkerPattern &pattern, const RankedFits &few,
-                            FitSettings &settings, std::vector<FitPixel> &pixels,
-                            std::vector<ExplainedPixel> &explained, Fitter &fitter);
+                            FitSettings &settings, FittingMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

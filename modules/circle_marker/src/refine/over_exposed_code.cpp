@@ -40,9 +40,10 @@ constexpr double longSector = 4.;
 constexpr int directions = 16;
 
 // Whether anywhere on the track sectors are short and paper is brighter than the sensor can tell.
-bool mayHideSectors(const CameraModel &camera, const FittedPose &fit, const ImageFrame &frame,
-                    const vpCircleMarkerFamily &family)
+bool mayHideSectors(const MeasuredView &view, const vpCircleMarkerFamily &family)
 {
+  const CameraModel &camera = view.camera;
+  const FittedPose &fit = view.fit;
   const vpCircleMarkerLayout &layout = family.getLayout();
   const double radius = 0.5 * (layout.codeInner + layout.codeOuter);
   const double longest = 2. * M_PI * radius / family.getNbSectors() / longSector;
@@ -54,7 +55,7 @@ bool mayHideSectors(const CameraModel &camera, const FittedPose &fit, const Imag
     const Eigen::Vector2d pixel = camera.toPixel(fit.plane.project(place));
     const PlanePoint point = planePoint({camera.toMeter(pixel), camera.meterPerPixel(pixel)}, fit.plane);
     const double blurAlong = (along.transpose() * point.byPixel * blur).norm();
-    if (blurAlong > longest && fit.photometry.whiteAt((pixel - frame.center) / frame.size) > brightestTold) {
+    if (blurAlong > longest && view.whiteAt(pixel) > view.inEvenLight(pixel, brightestTold)) {
       return true;
     }
   }
@@ -175,15 +176,14 @@ LikeliestOthers likeliestOthers(Word word, const CyclicCode &code, const Clipped
 }
 } // namespace
 
-std::optional<double> oddsIfOverExposed(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                        const FittedPose &fit, const ImageFrame &frame,
-                                        const vpCircleMarkerFamily &family, Word word, CodeImage &track)
+std::optional<double> oddsIfOverExposed(const MeasuredView &view, const vpCircleMarkerFamily &family, Word word,
+                                        CodeImage &track)
 {
   const CyclicCode &code = codeOf(family);
   const unsigned int sectors = code.getLength();
   const vpCircleMarkerLayout &layout = family.getLayout();
-  if (!mayHideSectors(camera, fit, frame, family) ||
-      !lookAtCode(I, camera, fit, frame, layout, static_cast<int>(sectors), track) || !track.isOverExposed) {
+  if (!mayHideSectors(view, family) || !lookAtCode(view, layout, static_cast<int>(sectors), track) ||
+      !track.isOverExposed) {
     return std::nullopt;
   }
   const ClippedTrack clipped(track, layout, sectors);
@@ -200,7 +200,7 @@ std::optional<double> oddsIfOverExposed(const vpImage<unsigned char> &I, const C
   });
   const auto next = std::min_element(others.begin(), others.end(),
                                      [](const OtherWord &p, const OtherWord &q) { return p.cost < q.cost; });
-  return (next->cost - cost) / (2. * track.noise * track.noise * fit.sharing);
+  return (next->cost - cost) / (2. * track.noise * track.noise * view.fit.sharing);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

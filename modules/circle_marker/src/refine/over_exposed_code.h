@@ -34,16 +34,12 @@
 #include "refine/code_image.h"
 
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
-#include <visp3/core/vpImage.h>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
   Odds, ln, of a codeword against all others of its code, and a white track, where the paper is over-exposed.
-  \param I : The image.
-  \param camera : Its camera.
-  \param fit : Pose, light and blur; the plane's x axis is the marker's own, with which the word begins.
-  \param frame : Coordinates of the image in which the light was measured.
+  \param view : The marker; its plane's x axis is the marker's own, with which the word begins.
   \param family : Family of the marker, with a code.
   \param word : The codeword.
   \param track : Working memory.
@@ -51,9 +47,8 @@ namespace circle_marker {
   blur, if the sensor can tell how bright the paper is, to a tenth of the contrast (mostLikelyCode() compares codes
   then), or at the image's border.
 */
-std::optional<double> oddsIfOverExposed(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                        const FittedPose &fit, const ImageFrame &frame,
-                                        const vpCircleMarkerFamily &family, std::uint32_t word, CodeImage &track);
+std::optional<double> oddsIfOverExposed(const MeasuredView &view, const vpCircleMarkerFamily &family,
+                                        std::uint32_t word, CodeImage &track);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
