@@ -28,6 +28,7 @@
 #include "refine/missed_light.h"
 #include "refine/missed_shadow.h"
 #include "refine/nearly_frontal.h"
+#include "refine/plausible_print.h"
 #include "refine/pose_odds.h"
 #include "refine/shadow.h"
 #include "refine/spin_search.h"
@@ -36,14 +37,6 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// A marker's image agrees with its model to better than this correlation, even with noise of a third of the contrast;
-// without refinement the start is worth less.
-constexpr double leastCorrelation = 0.85;
-// A marker without a code has its shape alone to prove itself.
-constexpr double leastCorrelationWithoutCode = 0.94;
-constexpr double leastCorrelationUnrefined = 0.6;
-// Share of the pixels that the model must explain.
-constexpr double leastInliers = 0.5;
 // All pixels are used up to a marker of some 500 pixels diameter: every pixel that is left out is information lost.
 constexpr double manyPixels = 20000.;
 // How far the fits on all pixels may go from the coarse ones until their pixels are sorted anew, pixels.
@@ -51,38 +44,10 @@ constexpr double fineError = 0.6;
 // Steps of a fit to a code that is not certain: with the right one seldom more are wanted, with a wrong one and on what
 // is no marker they do not end.
 constexpr int mostIterationsInDoubt = 12;
-// And of its coarse fit: of 500 such fits of markers of 8 to 40 pixels in any light that led on, two had less.
-constexpr double leastCorrelationInDoubt = 0.75;
-// A ring whose edges are explained only by a gamma beyond that of cameras is another ring; here, its logarithm.
-constexpr double mostLogGamma = 1.;
-// Unless it correlates by this (the sheet around a ring was taken for it with 0.98), and, below this radius, pixels,
-// the gamma is not at its bound, 3.3 or 0.3 (fit_step.cpp): in 20 pixels a ring of ratio 0.6 is explained by that of
-// 0.8, blurred, with the largest. Through a camera that is guessed large rings have any gamma.
-constexpr double leastCorrelationOfAnyGamma = 0.99;
-constexpr double anyLogGamma = 1.15;
-constexpr double leastSizeOfAnyGamma = 20.;
-// What is no marker, teeth on a ring, stripes, is explained by ink that has run by millimetres, by a sheet that is bent
-// as if around a bucket, or by a light that ends on the marker: the spread in outer radii, and the coefficients of
-// SheetBend.
-constexpr double mostSpread = 0.03;
 // Of a plain ring: ink spreads by some 0.1 mm, 0.003 radii of a small marker; and edges are known to a part of their
 // blur, as it is hardly ever a Gaussian.
 constexpr double mostSpreadOfRing = 0.01;
 constexpr double mostOfBlur = 0.3;
-constexpr double mostBend = 0.12;
-// And by a blur as wide as the marker: its standard deviation in outer radii. That of a motion or a disc of half a
-// radius is less than a third of this.
-constexpr double mostBlur = 0.6;
-// Or by one of another size than was seen, by this factor of the distance.
-constexpr double mostNearer = 1.5;
-// A code in doubt, which mostly is none, is given up as soon as a fit explains it by what no print under a lens is: by
-// ink that takes more than all of the light, by a size that is not that of the outline, as a factor of the distance,
-// or, once all pixels are fitted, by a blur of this many sectors, at the track's middle, whose standard deviation
-// leaves nothing of a code. (By private counts, of 1971 such fits on the way to a code that was proven none is beyond
-// the coarse limits and four are beyond the others; of 738 on what came to nothing a tenth and two in five.)
-constexpr double mostAbsorptionInDoubt = 1.5;
-constexpr double mostNearerInDoubt = 1.25;
-constexpr double mostBlurInDoubt = 1.75;
 // Of a bent sheet's ring this share is seen at least: the quiet zone of one at the image's border is not all in it, and
 // such a marker is read as one of which a part is covered.
 constexpr double leastSeenOfBent = 0.75;
@@ -148,9 +113,9 @@ bool lacksTwin(const Few<FittedPose> &fits, bool isSmall)
 {
   if (fits.size() > 1) {
     return !isSameLight(fits[0].photometry, fits[1].photometry) ||
-           (isSmall && !fits[1].isSettled && fits[0].correlation >= leastCorrelation);
+           (isSmall && !fits[1].isSettled && fits[0].correlation >= leastCorrelationOfMarker);
   }
-  if (fits.empty() || fits[0].correlation < leastCorrelation) {
+  if (fits.empty() || fits[0].correlation < leastCorrelationOfMarker) {
     return false;
   }
   FittedPose twin = fits[0];
@@ -218,52 +183,6 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, boo
     }
   }
   return ranked;
-}
-
-// Whether there are light, ink and paper as the fit has them.
-bool isPlausible(const FittedPose &fit, const MarkerInImage &view)
-{
-  // The light's change from the centre to where two radii of the ring end that are conjugate in its image: no more than
-  // their root sum of squares is it anywhere on the ring.
-  Eigen::Vector2d change;
-  for (int i = 0; i < 2; ++i) {
-    const Eigen::Vector2d end = view.camera.toPixel(fit.plane.project(Eigen::Vector2d::Unit(i)));
-    change[i] = fit.photometry.lightGradient.dot(end - view.frame.center) / view.frame.size;
-  }
-  const double nearer = view.marker.poses[0].center.norm() / fit.plane.center.norm();
-  const SheetBend &bend = fit.plane.bend;
-  return change.norm() < 1. && std::abs(fit.photometry.blur.spread) < mostSpread &&
-         std::hypot(bend.bow, bend.saddle.norm()) < mostBend &&
-         fit.photometry.blur.widest() < mostBlur * view.frame.size && std::max(nearer, 1. / nearer) < mostNearer;
-}
-
-// Whether one of the fits to a code in doubt may be that of a print: see mostAbsorptionInDoubt.
-bool mayBePrint(const FittedPose &fit, const MarkerInImage &view, bool isCoarse)
-{
-  const vpCircleMarkerFamily &family = view.marker.family;
-  const double middle = 0.5 * (family.getLayout().codeInner + family.getLayout().codeOuter);
-  const double sector = 2. * M_PI * middle * view.frame.size / family.getNbSectors(); // pixels
-  const double nearer = view.marker.poses[0].center.norm() / fit.plane.center.norm();
-  return fit.photometry.absorption < mostAbsorptionInDoubt &&
-         std::max(nearer, 1. / nearer) < (isCoarse ? mostNearer : mostNearerInDoubt) &&
-         (isCoarse || fit.photometry.blur.sigma < mostBlurInDoubt * sector);
-}
-
-// Whether the best fit explains the image.
-bool isExplained(const FittedPose &best, const MarkerInImage &view, bool hasCode, bool refine)
-{
-  if (!refine) {
-    return best.correlation >= leastCorrelationUnrefined && best.inliers >= leastInliers;
-  }
-  const double least = hasCode ? leastCorrelation : leastCorrelationWithoutCode;
-  // The fit of a ring to the sheet around it needs a gamma that no camera has. So do some small rings, of which it is
-  // hardly known, but those explain the image, and do not want more of it than they may have. Of small codes it is
-  // hardly known either.
-  const double logGamma = std::abs(std::log(best.photometry.gamma));
-  const double ofSize = view.frame.size < leastSizeOfAnyGamma ? anyLogGamma : HUGE_VAL;
-  const bool isLikeCamera =
-      hasCode || logGamma < (best.correlation >= leastCorrelationOfAnyGamma ? ofSize : mostLogGamma);
-  return best.correlation >= least && best.inliers >= leastInliers && isLikeCamera && isPlausible(best, view);
 }
 
 FitSettings settingsFor(const MarkerInImage &view, const MarkerPattern &pattern, const Deadline &deadline)
@@ -397,8 +316,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     ranked = withEvenLight(view, pattern, ranked, settings, memory);
   }
   const bool isInDoubt = refine && !marker.isCertain && pattern.sectors > 0;
-  if (isInDoubt && !ranked.fits.empty() &&
-      (ranked.fits[0].correlation < leastCorrelationInDoubt || !mayBePrint(ranked.fits[0], view, true))) {
+  if (isInDoubt && !ranked.fits.empty() && !mayBePrint(ranked.fits[0], view, true)) {
     return std::nullopt;
   }
   std::optional<GivenUp> givenUp;
