@@ -206,7 +206,9 @@ void addLightDoubt(const CameraModel &camera, Measurement &measurement)
   const double widthOfEdge = std::sqrt(2. * M_PI) * fit.photometry.blur.widest();
   const double alike = std::max(widthOfEdge * lengthOfLight * radiusOf(fit.plane, camera), 1.);
   const double off = errorOfLight * fit.photometry.tellableContrast();
-  fit.covariance *= 1. + alike * off * off / (fit.noise * fit.noise);
+  const double sharing = 1. + alike * off * off / (fit.noise * fit.noise);
+  fit.covariance *= sharing;
+  measurement.cost2 = measurement.cost + (measurement.cost2 - measurement.cost) / sharing;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

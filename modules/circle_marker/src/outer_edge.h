@@ -66,7 +66,7 @@ void addHaloDoubt(double halo, const CameraModel &camera, Measurement &measureme
 
 /*!
   Takes into account that uneven light is known to a part of the contrast only, which the pixels of an edge share: the
-  covariance grows as if so many were one. Nothing changes in even light.
+  covariance grows, and the odds of the two poses come down, as if so many were one. Nothing changes in even light.
 */
 void addLightDoubt(const CameraModel &camera, Measurement &measurement);
 } // namespace circle_marker
