@@ -25,7 +25,7 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  Whether fits of a marker that was read for certain leave so much that the light on it may be uneven. This is
+  Whether coarse fits of a marker that was read for certain leave so much that the light on it may be uneven. This is
   not asked of rings without a code, nor of covered markers, nor where paper is brighter than the sensor can tell: what
   is cut off there looks like uneven light, and hides what tells a code from another (over_exposed_code.h).
   \param marker : The marker.
@@ -38,13 +38,13 @@ bool mayBeInUnevenLight(const Recognition &marker, const MarkerPattern &pattern,
                         const std::vector<FitPixel> &pixels, double noise);
 
 /*!
-  Coarse fits in even light, by the light that such fits show in what they leave.
+  Coarse fits of pixels that are taken to even light, by the light that such fits show in what they leave.
   \param view : The marker; it takes the light.
   \param pattern : The print.
   \param few : The fits.
   \param settings : Of the fits.
   \param memory : Holds the pixels that were fitted; those of the last fit.
-  \return The fits as they are if those in even light do not leave far less.
+  \return The fits as they are if those do not leave far less.
 */
 RankedFits withEvenLight(MarkerInImage &view, const MarkerPattern &pattern, const RankedFits &few,
                          const FitSettings &settings, FittingMemory &memory);

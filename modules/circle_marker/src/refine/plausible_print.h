@@ -22,8 +22,7 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! A marker's image agrees with its model to better than this correlation, even with noise of a third of the contrast.
- */
+/*! A marker's image correlates with its model by more than this, even with noise of a third of the contrast. */
 constexpr double leastCorrelationOfMarker = 0.85;
 
 /*!
