@@ -231,23 +231,16 @@ void leaveBest(RankedFits &coarse)
   }
 }
 
-// Fits on all pixels in the light that the fits tell, by as many pixels.
-RankedFits fitInToldLight(MarkerInImage &view, const RankedFits &ranked, bool isOneGivenUp, const FitSettings &settings,
-                          MarkerPattern &pattern, MeasureMemory &memory)
-{
-  const bool isTold = !ranked.fits.empty() && tellLight(view, pattern, ranked.fits[0], settings, memory);
-  return isTold ? fitAllPixels(view, ranked, isOneGivenUp, settings, pattern, memory) : ranked;
-}
-
 // The fits on all pixels, and what only these tell: the light, the spin and the sheet's bend.
 RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDoubt, bool isOneGivenUp,
                      const FitSettings &settings, MarkerPattern &pattern, MeasureMemory &memory)
 {
   const Recognition &marker = view.marker;
   RankedFits ranked = fitAllPixels(view, coarse, isInDoubt || isOneGivenUp, settings, pattern, memory);
-  if (view.uneven && !marker.measuredRing) {
-    // The light by all pixels, once more: of four that were looked at the depth was off by a third to a half less then.
-    ranked = fitInToldLight(view, ranked, isOneGivenUp, settings, pattern, memory);
+  // The light by all pixels, once more: of four that were looked at the depth was off by a third to a half less then.
+  if (view.uneven && !marker.measuredRing && !ranked.fits.empty() &&
+      tellLight(view, pattern, ranked.fits[0], settings, memory)) {
+    ranked = fitAllPixels(view, ranked, isOneGivenUp, settings, pattern, memory);
   }
   if (isInDoubt || ranked.fits.empty() || pattern.sectors == 0) {
     return ranked;

@@ -28,7 +28,7 @@ constexpr double leastCorrelationOfMarker = 0.85;
 /*!
   Whether a fit to a code in doubt, which mostly is none, may be that of a print: it is none if it explains the image by
   ink that takes more than all of the light, by a size that is not that of the outline, or by a blur that leaves nothing
-  of a code.
+  of a code; or if a coarse one hardly correlates.
   \param fit : The fit.
   \param view : What it was fitted to.
   \param isCoarse : Whether it is a coarse one, whose size and blur are less certain.
