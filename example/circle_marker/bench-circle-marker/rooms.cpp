@@ -44,7 +44,8 @@ struct Visit
     outlines = &findOutlines(scene.image, sought, workers, Deadline(), memory);
     for (const EllipseCandidate &outline : *outlines) {
       if (const auto poses = posesFromOutline(outline.points, camera, 0.5 * markerSize)) {
-        if (auto marker = recognise(scene.image, camera, *poses, outline, family, settings)) {
+        OutlineInImage seen(scene.image, camera, *poses, outline);
+        if (auto marker = recognise(seen, family, settings)) {
           markers.push_back(std::move(*marker));
         }
       }
@@ -108,7 +109,8 @@ void recogniseAll(Visit &visit)
 {
   for (const EllipseCandidate &outline : *visit.outlines) {
     if (const auto poses = posesFromOutline(outline.points, visit.camera, 0.5 * markerSize)) {
-      auto marker = recognise(visit.scene.image, visit.camera, *poses, outline, visit.family, visit.settings);
+      OutlineInImage seen(visit.scene.image, visit.camera, *poses, outline);
+      auto marker = recognise(seen, visit.family, visit.settings);
       benchmark::DoNotOptimize(marker);
     }
   }

@@ -149,22 +149,17 @@ WholeVerdict verdictByPixels(const Doubts &doubts, double noise, const FittedPos
 } // namespace
 
 std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                                   const EllipseCandidate &outline, const PosePair &poses,
-                                                   const vpCircleMarkerFamily &family, const DecodeSettings &settings,
-                                                   MeasureMemory &memory, const Deadline &deadline,
-                                                   const ImageNoise &noise)
+                                                   const Recognition &ring, const vpCircleMarkerFamily &family,
+                                                   const DecodeSettings &settings, MeasureMemory &memory,
+                                                   const Deadline &deadline, const ImageNoise &noise)
 {
-  const auto ring = recogniseCoveredRing(I, camera, poses, outline, family);
-  if (!ring) {
-    return std::nullopt;
-  }
-  const auto measurement = measure(I, camera, *ring, true, memory, deadline, noise);
+  const auto measurement = measure(I, camera, ring, true, memory, deadline, noise);
   if (!measurement) {
     return std::nullopt;
   }
-  const MeasuredRing first = ringOf(*measurement, ring->poses[0], camera);
+  const MeasuredRing first = ringOf(*measurement, ring.poses[0], camera);
   const bool hasTwin = measurement->second && measurement->cost2 - measurement->cost < hopelessOdds;
-  const auto twin = hasTwin ? std::make_optional(ringOf(*measurement, ring->poses[0], camera, false)) : std::nullopt;
+  const auto twin = hasTwin ? std::make_optional(ringOf(*measurement, ring.poses[0], camera, false)) : std::nullopt;
   Judged<Recognition> marker = recogniseCovered(I, camera, first, twin, family, settings, memory.track, deadline);
   if (!marker) {
     return std::nullopt;

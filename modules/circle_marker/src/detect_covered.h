@@ -32,8 +32,7 @@ namespace circle_marker {
   for its code, so its ring is measured before.
   \param I : The image.
   \param camera : Its camera.
-  \param outline : The outline, as found.
-  \param poses : Both poses of the outline.
+  \param ring : Its ring, by recogniseCoveredRing().
   \param family : What to recognise it as.
   \param settings : How strictly a code is read.
   \param memory : Working memory of the measurement.
@@ -42,9 +41,9 @@ namespace circle_marker {
   \return The marker; nothing if it is none.
 */
 std::optional<Recognition> recogniseByMeasuredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                                   const EllipseCandidate &outline, const PosePair &poses,
-                                                   const vpCircleMarkerFamily &family, const DecodeSettings &settings,
-                                                   MeasureMemory &memory, const Deadline &deadline = Deadline(),
+                                                   const Recognition &ring, const vpCircleMarkerFamily &family,
+                                                   const DecodeSettings &settings, MeasureMemory &memory,
+                                                   const Deadline &deadline = Deadline(),
                                                    const ImageNoise &noise = ImageNoise());
 
 /*! How an outline is read. */

@@ -19,6 +19,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <tuple>
 
 BEGIN_VISP_NAMESPACE
 
@@ -30,6 +32,9 @@ namespace {
 constexpr std::size_t mostDoubtsInVain = 16;
 constexpr std::size_t doubtsForEachProven = 2;
 constexpr std::size_t doubtsAtOnce = 8;
+// The same for rings that something covers, of which clutter has less than one in an image (bench-circle-marker
+// --phantoms) and a page of text hundreds. To measure and read one takes a millisecond.
+constexpr std::size_t mostCoveredInVain = 64;
 } // namespace
 
 /*! The outlines through the rooms after them, from the largest to the smallest: read, chosen, measured. An outline that
@@ -40,8 +45,8 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
   const Deadline &deadline = visit.deadline;
   m_examinations.assign(outlines.size(), Examination());
   m_measured.clear();
-  m_doubtsInVain = 0;
-  m_doubtsProven = 0;
+  m_doubts = Trials();
+  m_covered = Trials();
   listAttempts(settings.families, m_attempts);
   allowBlurred(visit, outlines);
   bool isOver = false;
@@ -73,12 +78,21 @@ void vpDetectorCircleMarker::Impl::choose(const Visit &visit, const Outlines &ou
     if (isWaiting && !examination.isRead && !visit.deadline.hasPassed()) {
       read(visit, outlines[i], m_workspaces.front(), examination);
     }
-    if (examination.marker) {
-      m_chosenPlaces.add(outlines[i], *examination.marker);
-    }
+    reserve(outlines[i], examination);
     if (isWaiting && examination.marker) {
       m_chosen.push_back(i);
     }
+  }
+}
+
+/*! The place of an outline, if it was read as a marker; nothing in it is asked until that is known to be none. */
+void vpDetectorCircleMarker::Impl::reserve(const EllipseCandidate &outline, const Examination &examination)
+{
+  if (isCoveredRing(examination)) { // of which nobody knows yet where its code is
+    m_chosenPlaces.add(outline);
+  }
+  else if (examination.marker) {
+    m_chosenPlaces.add(outline, *examination.marker);
   }
 }
 
@@ -96,9 +110,7 @@ bool vpDetectorCircleMarker::Impl::settleChosen()
     if (examination.isFound) {
       continue;
     }
-    if (!examination.candidates.empty()) {
-      examination.candidates.back().reason = examination.refusal;
-    }
+    refuse(examination);
     examination.marker.reset();
     examination.isRead = false;
     someAreNone = true;
@@ -106,10 +118,21 @@ bool vpDetectorCircleMarker::Impl::settleChosen()
   return someAreNone;
 }
 
+/*! What an outline was last tried as gets the reason why it is none, if there is a new one and it is to be shown. */
+void vpDetectorCircleMarker::Impl::refuse(Examination &examination) const
+{
+  const std::string family = settings.families[m_attempts[examination.attempt - 1].family].getName();
+  for (vpCircleMarkerCandidate &candidate : examination.candidates) {
+    if (examination.refusal != vpCircleMarkerReject::NONE && candidate.family.getName() == family) {
+      candidate.reason = examination.refusal;
+    }
+  }
+}
+
 /*!
   The chosen outlines through the room refine. To tell whether one in doubt is a marker takes some milliseconds, and a
   page of text has hundreds that look like one: those that look most like their code are measured first, a few at a
-  time, until there were too many that are none.
+  time, until there were too many that are none. Then the same with the rings of covered ones.
 */
 void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outlines &outlines)
 {
@@ -117,26 +140,35 @@ void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outli
     m_examinations[i].place = m_measured.size();
     m_measured.append();
   }
-  // Those that are certain come first, as they are, then the others by their margin.
-  const auto margin = [this](std::size_t i) {
+  const auto rankOf = [this](std::size_t i) { // the certain ones as they are, the others by their margin
     const Recognition &marker = *m_examinations[i].marker;
-    return marker.isCertain ? HUGE_VAL : marker.code.margin;
+    const int group = isCoveredRing(m_examinations[i]) ? 2 : marker.isCertain ? 0 : 1;
+    return std::make_tuple(group, group > 0 ? -marker.code.margin : 0., i);
   };
-  std::sort(m_chosen.begin(), m_chosen.end(),
-            [&](std::size_t i, std::size_t j) { return margin(i) != margin(j) ? margin(i) > margin(j) : i < j; });
-  const auto isCertain = [this](std::size_t i) { return m_examinations[i].marker->isCertain; };
-  const auto inDoubt = std::find_if_not(m_chosen.begin(), m_chosen.end(), isCertain);
-  auto begin = static_cast<std::size_t>(inDoubt - m_chosen.begin());
-  measureTogether(visit, outlines, 0, begin);
+  std::sort(m_chosen.begin(), m_chosen.end(), [&](std::size_t i, std::size_t j) { return rankOf(i) < rankOf(j); });
+  const auto isInDoubt = [&](std::size_t i) { return std::get<0>(rankOf(i)) > 0; };
+  const auto isCovered = [this](std::size_t i) { return isCoveredRing(m_examinations[i]); };
+  const auto doubts = std::find_if(m_chosen.begin(), m_chosen.end(), isInDoubt) - m_chosen.begin();
+  const auto covered = std::find_if(m_chosen.begin(), m_chosen.end(), isCovered) - m_chosen.begin();
+  const auto certain = static_cast<std::size_t>(doubts);
+  measureTogether(visit, outlines, 0, certain);
+  measureInDoubt(visit, outlines, certain, static_cast<std::size_t>(covered), mostDoubtsInVain, m_doubts);
+  measureInDoubt(visit, outlines, static_cast<std::size_t>(covered), m_chosen.size(), mostCoveredInVain, m_covered);
+}
+
+/*! Chosen outlines through the room refine, until too many of their kind were none. */
+void vpDetectorCircleMarker::Impl::measureInDoubt(const Visit &visit, const Outlines &outlines, std::size_t begin,
+                                                  std::size_t end, std::size_t mostInVain, Trials &trials)
+{
   // Whatever the number of threads, so many: what is measured does not depend on it.
-  while (begin < m_chosen.size() && m_doubtsInVain < mostDoubtsInVain + doubtsForEachProven * m_doubtsProven) {
-    const std::size_t end = std::min(begin + doubtsAtOnce, m_chosen.size());
-    measureTogether(visit, outlines, begin, end);
-    for (; begin < end; ++begin) {
-      ++(m_examinations[m_chosen[begin]].isFound ? m_doubtsProven : m_doubtsInVain);
+  while (begin < end && trials.inVain < mostInVain + doubtsForEachProven * trials.proven) {
+    const std::size_t next = std::min(begin + doubtsAtOnce, end);
+    measureTogether(visit, outlines, begin, next);
+    for (; begin < next; ++begin) {
+      ++(m_examinations[m_chosen[begin]].isFound ? trials.proven : trials.inVain);
     }
   }
-  for (; begin < m_chosen.size(); ++begin) {
+  for (; begin < end; ++begin) {
     m_examinations[m_chosen[begin]].refusal = vpCircleMarkerReject::TOO_MANY;
   }
 }
@@ -148,12 +180,21 @@ void vpDetectorCircleMarker::Impl::measureTogether(const Visit &visit, const Out
   m_workers.run(end - begin, [&](std::size_t task, unsigned int worker) {
     const std::size_t k = begin + task;
     Examination &examination = m_examinations[m_chosen[k]];
-    examination.isFound =
-        !visit.deadline.hasPassed() && measureMarker(visit, outlines[m_chosen[k]], *examination.marker,
-                                                     m_workspaces[worker], m_measured[examination.place]);
-    // One that was cut short is not known to be none.
-    examination.refusal =
-        visit.deadline.hasPassed() ? vpCircleMarkerReject::TIMEOUT : vpCircleMarkerReject::UNLIKE_THE_MODEL;
+    const EllipseCandidate &outline = outlines[m_chosen[k]];
+    Workspace &workspace = m_workspaces[worker];
+    if (visit.deadline.hasPassed() ||
+        (isCoveredRing(examination) && !readCovered(visit, outline, workspace, examination))) {
+      examination.isFound = false;
+      examination.refusal = vpCircleMarkerReject::NONE; // as a covered one it is what it was as a whole one
+    }
+    else {
+      examination.isFound =
+          measureMarker(visit, outline, *examination.marker, workspace, m_measured[examination.place]);
+      examination.refusal = vpCircleMarkerReject::UNLIKE_THE_MODEL;
+    }
+    if (visit.deadline.hasPassed()) { // one that was cut short is not known to be none
+      examination.refusal = vpCircleMarkerReject::TIMEOUT;
+    }
     m_measured[examination.place].mayBeBlurred = examination.mayBeBlurred;
   });
 }
@@ -179,7 +220,7 @@ void vpDetectorCircleMarker::Impl::readTogether(const Visit &visit, const Outlin
         m_chosen.push_back(i);
       }
       if (examination.marker) {
-        m_chosenPlaces.add(outlines[i], *examination.marker);
+        reserve(outlines[i], examination);
       }
       else if (!isLast) {
         m_chosenPlaces.add(outlines[i]);

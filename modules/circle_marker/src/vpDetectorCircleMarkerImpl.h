@@ -92,6 +92,12 @@ private:
     vpCircleMarkerReject refusal = vpCircleMarkerReject::NONE; //!< Why what it was read as is none, once that is known.
     std::vector<vpCircleMarkerCandidate> candidates;           //!< What it was tried as, if that is to be shown.
   };
+  /*! How many outlines of a kind were measured so far that were none, and that were a marker. */
+  struct Trials
+  {
+    std::size_t inVain = 0;
+    std::size_t proven = 0;
+  };
   /*! What the room refine tells of a marker besides its measurement. */
   struct Fit
   {
@@ -137,12 +143,16 @@ private:
   void readTogether(const Visit &visit, const Outlines &outlines);
   void read(const Visit &visit, const circle_marker::EllipseCandidate &outline, Workspace &workspace,
             Examination &examination) const;
-  void readWhole(const Visit &visit, const circle_marker::EllipseCandidate &outline,
-                 const circle_marker::PosePair &poses, const vpCircleMarkerFamily &family,
+  void readWhole(const Visit &visit, circle_marker::OutlineInImage &seen, const vpCircleMarkerFamily &family,
                  Examination &examination) const;
-  std::optional<circle_marker::Recognition>
-  readInDoubt(const Visit &visit, const circle_marker::EllipseCandidate &outline, const circle_marker::PosePair &poses,
-              const vpCircleMarkerFamily &family, circle_marker::ReadingKind kind, Workspace &workspace) const;
+  std::optional<circle_marker::Recognition> readInDoubt(const Visit &visit, circle_marker::OutlineInImage &seen,
+                                                        const vpCircleMarkerFamily &family,
+                                                        circle_marker::ReadingKind kind) const;
+  void keepAsMarker(const circle_marker::EllipseCandidate &outline, const vpCircleMarkerFamily &family,
+                    Examination &examination) const;
+  bool isCoveredRing(const Examination &examination) const;
+  bool readCovered(const Visit &visit, const circle_marker::EllipseCandidate &outline, Workspace &workspace,
+                   Examination &examination) const;
   double sizeOf(const circle_marker::Recognition &marker, const Visit &visit) const;
   std::optional<circle_marker::Measurement> withoutCover(const Visit &visit,
                                                          const circle_marker::EllipseCandidate &outline,
@@ -164,8 +174,12 @@ private:
   bool measureRestored(const Visit &visit, const circle_marker::EllipseCandidate &outline,
                        const circle_marker::Recognition &marker, Workspace &workspace, Fit &fit, Found &measured) const;
   void choose(const Visit &visit, const Outlines &outlines);
+  void reserve(const circle_marker::EllipseCandidate &outline, const Examination &examination);
   void measureChosen(const Visit &visit, const Outlines &outlines);
   void measureTogether(const Visit &visit, const Outlines &outlines, std::size_t begin, std::size_t end);
+  void measureInDoubt(const Visit &visit, const Outlines &outlines, std::size_t begin, std::size_t end,
+                      std::size_t mostInVain, Trials &trials);
+  void refuse(Examination &examination) const;
   bool settleChosen();
   void keepSeen(const Outlines &outlines);
   void followSeen(const Visit &visit);
@@ -190,8 +204,8 @@ private:
   circle_marker::ReusedList<Found> m_measured;        //!< What was measured of outlines.
   std::vector<circle_marker::Attempt> m_attempts;     //!< The ways to read an outline.
   std::vector<std::size_t> m_chosen;                  //!< Outlines to be read or measured together.
-  std::size_t m_doubtsInVain = 0;                     //!< Outlines whose code was in doubt and that were none so far,
-  std::size_t m_doubtsProven = 0;                     //!< and those that were one.
+  Trials m_doubts;                                    //!< Of the outlines whose code is in doubt.
+  Trials m_covered;                                   //!< Of the rings that something covers.
   circle_marker::MarkerPlaces m_chosenPlaces;         //!< Where they are.
   std::vector<Impl> m_inverse;       //!< What looks at the negative, if markers white on black are sought.
   vpImage<unsigned char> m_negative; //!< The negative.

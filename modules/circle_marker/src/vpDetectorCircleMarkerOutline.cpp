@@ -83,47 +83,80 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   if (!poses && keepsDebug) {
     examination.candidates.push_back(candidateOf(outline, settings.families.front(), vpCircleMarkerReject::NO_POSE));
   }
-  while (poses && !examination.marker && examination.attempt < m_attempts.size() && !visit.deadline.hasPassed()) {
+  std::optional<OutlineInImage> seen;
+  if (poses) {
+    seen.emplace(visit.I, visit.camera, *poses, outline);
+  }
+  while (seen && !examination.marker && examination.attempt < m_attempts.size() && !visit.deadline.hasPassed()) {
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
     if (attempt.kind != ReadingKind::WHOLE) {
-      examination.marker = readInDoubt(visit, outline, *poses, family, attempt.kind, workspace);
-      if (examination.marker && keepsDebug) {
-        std::vector<vpCircleMarkerCandidate> &candidates = examination.candidates; // it is none as a whole marker only
-        candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                                        [&](const auto &other) { return other.family.getName() == family.getName(); }),
-                         candidates.end());
-        candidates.push_back(candidateOf(outline, family, vpCircleMarkerReject::NONE));
+      examination.marker = readInDoubt(visit, *seen, family, attempt.kind);
+      if (examination.marker && attempt.kind == ReadingKind::UNCERTAIN) {
+        keepAsMarker(outline, family, examination);
       }
     }
     else {
-      readWhole(visit, outline, *poses, family, examination);
+      readWhole(visit, *seen, family, examination);
     }
   }
-  if (examination.marker) {
+  if (examination.marker && !isCoveredRing(examination)) {
     scaleTo(sizeOf(*examination.marker, visit), examination.marker->poses);
   }
   examination.isRead = true;
   examination.isOver = !examination.marker;
 }
 
-/*! An outline as a marker with sectors that are too small to be read one by one, or with something in front of it. */
-std::optional<Recognition> vpDetectorCircleMarker::Impl::readInDoubt(const Visit &visit,
-                                                                     const EllipseCandidate &outline,
-                                                                     const PosePair &poses,
+/*! Of what an outline was tried as, if that is to be shown: as a family's whole marker it is none, but in doubt. */
+void vpDetectorCircleMarker::Impl::keepAsMarker(const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
+                                                Examination &examination) const
+{
+  if (!keepsDebug) {
+    return;
+  }
+  std::vector<vpCircleMarkerCandidate> &candidates = examination.candidates;
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                  [&](const auto &other) { return other.family.getName() == family.getName(); }),
+                   candidates.end());
+  candidates.push_back(candidateOf(outline, family, vpCircleMarkerReject::NONE));
+}
+
+/*! Whether an outline was read as the ring of a marker that something covers, whose code is not read yet. */
+bool vpDetectorCircleMarker::Impl::isCoveredRing(const Examination &examination) const
+{
+  return examination.marker && examination.marker->seen && !examination.marker->measuredRing;
+}
+
+/*! The code of such a ring; false, and it has no marker any more, if it has none. */
+bool vpDetectorCircleMarker::Impl::readCovered(const Visit &visit, const EllipseCandidate &outline,
+                                               Workspace &workspace, Examination &examination) const
+{
+  const vpCircleMarkerFamily &family = settings.families[m_attempts[examination.attempt - 1].family];
+  examination.marker = recogniseByMeasuredRing(visit.I, visit.camera, *examination.marker, family, settings.decode,
+                                               workspace.measuring, visit.deadline, visit.noise);
+  if (examination.marker) {
+    scaleTo(sizeOf(*examination.marker, visit), examination.marker->poses);
+    keepAsMarker(outline, family, examination);
+  }
+  return examination.marker.has_value();
+}
+
+/*!
+  An outline as a marker with sectors that are too small to be read one by one, or as the ring of one with something in
+  front of it.
+*/
+std::optional<Recognition> vpDetectorCircleMarker::Impl::readInDoubt(const Visit &visit, OutlineInImage &seen,
                                                                      const vpCircleMarkerFamily &family,
-                                                                     ReadingKind kind, Workspace &workspace) const
+                                                                     ReadingKind kind) const
 {
   if (kind == ReadingKind::COVERED) {
-    return recogniseByMeasuredRing(visit.I, visit.camera, outline, poses, family, settings.decode, workspace.measuring,
-                                   visit.deadline, visit.noise);
+    return recogniseCoveredRing(visit.I, visit.camera, seen.poses, seen.outline, family);
   }
   // Who asks for more certainty than by default, or forbids corrections, gets what is read sector by sector.
   const bool mayProve = settings.refinePose && settings.decode.maximumHamming > 0 &&
                         settings.decode.minimumMargin <= DecodeSettings().minimumMargin;
-  return mayProve && mayBeUncertain(outline.ellipse, family)
-             ? recogniseUncertain(visit.I, visit.camera, poses, outline, family, visit.noise.sigma)
-             : std::nullopt;
+  return mayProve && mayBeUncertain(seen.outline.ellipse, family) ? recogniseUncertain(seen, family, visit.noise.sigma)
+                                                                  : std::nullopt;
 }
 
 /*!
@@ -150,14 +183,14 @@ void vpDetectorCircleMarker::Impl::allowBlurred(const Visit &visit, const Outlin
 }
 
 /*! An outline as a marker of a family of which nothing is covered. */
-void vpDetectorCircleMarker::Impl::readWhole(const Visit &visit, const EllipseCandidate &outline, const PosePair &poses,
+void vpDetectorCircleMarker::Impl::readWhole(const Visit &visit, OutlineInImage &seen,
                                              const vpCircleMarkerFamily &family, Examination &examination) const
 {
   ReadingTrace trace;
-  Judged<Recognition> marker = recognise(visit.I, visit.camera, poses, outline, family, settings.decode,
-                                         keepsDebug ? &trace : nullptr, examination.mayBeBlurred, visit.deadline);
+  Judged<Recognition> marker =
+      recognise(seen, family, settings.decode, keepsDebug ? &trace : nullptr, examination.mayBeBlurred, visit.deadline);
   if (keepsDebug) {
-    examination.candidates.push_back(candidateOf(outline, family, marker.reason()));
+    examination.candidates.push_back(candidateOf(seen.outline, family, marker.reason()));
     addReading(trace, family, visit.camera, examination.candidates.back());
   }
   if (marker) {
@@ -207,9 +240,10 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
     return isPartMissing(outline.support) ? leftOut() : measurement;
   }
   const auto poses = posesFromOutline(outline.points, visit.camera, measurement.first.plane.radius, workspace.meters);
-  auto covered = poses ? recogniseByMeasuredRing(visit.I, visit.camera, outline, *poses, marker.family, settings.decode,
-                                                 memory, visit.deadline, visit.noise)
-                       : std::nullopt;
+  const auto ring = poses ? recogniseCoveredRing(visit.I, visit.camera, *poses, outline, marker.family) : std::nullopt;
+  auto covered = ring ? recogniseByMeasuredRing(visit.I, visit.camera, *ring, marker.family, settings.decode, memory,
+                                                visit.deadline, visit.noise)
+                      : std::nullopt;
   if (covered && (marker.code.hamming > 0 || covered->code.id == marker.code.id)) {
     if (verdict == WholeVerdict::DOUBTFUL && covered->code.id == marker.code.id) {
       return measurement; // by all pixels: without noise, those left out are off by little

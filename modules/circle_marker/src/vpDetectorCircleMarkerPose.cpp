@@ -71,15 +71,19 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   const vpCircleMarkerFamily &family = known.marker.family;
   const Deadline never;
   const Visit visit = {kept, size, camera, never, known.noise, true};
+  OutlineInImage seen(kept, camera, *poses, known.outline);
   std::vector<Attempt> attempts;
   listAttempts({family}, attempts);
   for (const Attempt &attempt : attempts) {
     std::optional<Recognition> marker;
     if (attempt.kind != ReadingKind::WHOLE) {
-      marker = readInDoubt(visit, known.outline, *poses, family, attempt.kind, workspace);
+      marker = readInDoubt(visit, seen, family, attempt.kind);
+      if (marker && attempt.kind == ReadingKind::COVERED) {
+        marker = recogniseByMeasuredRing(kept, camera, *marker, family, settings.decode, workspace.measuring, never,
+                                         known.noise);
+      }
     }
-    else if (auto whole =
-                 recognise(kept, camera, *poses, known.outline, family, settings.decode, nullptr, known.mayBeBlurred)) {
+    else if (auto whole = recognise(seen, family, settings.decode, nullptr, known.mayBeBlurred)) {
       marker = std::move(*whole);
     }
     Found measured;

@@ -278,8 +278,9 @@ TEST(DetectCovered, ACoveredMarkerHasItsTwin)
     outline.support = support;
     outline.contrast = paper - ink;
     MeasureMemory memory;
-    const auto marker = recogniseByMeasuredRing(I, camera, outline, {scene.plane(), twinOf(scene.plane())}, golay23,
-                                                DecodeSettings(), memory);
+    const auto ring = recogniseCoveredRing(I, camera, {scene.plane(), twinOf(scene.plane())}, outline, golay23);
+    const auto marker =
+        ring ? recogniseByMeasuredRing(I, camera, *ring, golay23, DecodeSettings(), memory) : std::nullopt;
     if (!marker) {
       continue;
     }

@@ -50,7 +50,11 @@ TEST(Recognise, AnUncertainCodeHasItsSectorsAsTheyWereRead)
     sought.bright = true;
     for (const EllipseCandidate &outline : findOutlines(I, sought, workers, Deadline(), memory)) {
       const auto poses = posesFromOutline(outline.points, camera, scene.plane().radius);
-      const auto marker = poses ? recogniseUncertain(I, camera, *poses, outline, family, noise) : std::nullopt;
+      if (!poses) {
+        continue;
+      }
+      OutlineInImage seen(I, camera, *poses, outline);
+      const auto marker = recogniseUncertain(seen, family, noise);
       if (!marker || marker->code.id != id) {
         continue;
       }

@@ -119,7 +119,6 @@ void findSeen(const CodeTrack &track, double phase, SectorReading &reading)
 struct Solution
 {
   SectorGreys greys;
-  std::array<double, mostSamples> residuals;
   double squares = HUGE_VAL;
 };
 
@@ -132,7 +131,7 @@ Solution solveAllPhases(const CodeTrack &track, SectorReading &reading)
   for (unsigned int i = first; i < first + count; ++i) {
     const double phase = 2. * M_PI * (i % phasesPerSector) / (phasesPerSector * reading.sectors);
     Solution solution;
-    solution.squares = solveSectors(track, reading.sectors, phase, solution.greys, solution.residuals);
+    solution.squares = solveSectors(track, reading.sectors, phase, solution.greys);
     if (solution.squares < best.squares) {
       best = solution;
       reading.phase = phase;
@@ -167,13 +166,15 @@ bool tellSectors(const CodeTrack &track, const Solution &solution, SectorReading
 void dropOddSamples(CodeTrack &track, SectorReading &reading, Solution &solution)
 {
   constexpr int rounds = 2; // an odd sample moves the grey level that it is judged by
+  std::array<double, mostSamples> residuals;
   for (int round = 0; round < rounds; ++round) {
+    findResiduals(track, reading.phase, solution.greys, residuals);
     for (unsigned int i = 0; i < track.samples; ++i) {
-      if (std::abs(solution.residuals[i]) > mostOdd) {
+      if (std::abs(residuals[i]) > mostOdd) {
         track.weight[i] = 0.;
       }
     }
-    solution.squares = solveSectors(track, reading.sectors, reading.phase, solution.greys, solution.residuals);
+    solution.squares = solveSectors(track, reading.sectors, reading.phase, solution.greys);
   }
   findSeen(track, reading.phase, reading);
 }

@@ -46,13 +46,17 @@ double at(const RadialProfile &profile, double radius)
 std::optional<RadialProfile> radialProfile(const vpImage<unsigned char> &I, const CameraModel &camera,
                                            const MarkerPlane &plane)
 {
+  std::array<Eigen::Vector2d, directions> outward;
+  for (unsigned int k = 0; k < directions; ++k) {
+    const double angle = 2. * M_PI * (k + 0.5) / directions;
+    outward[k] << std::cos(angle), std::sin(angle);
+  }
   RadialProfile profile;
   std::array<double, directions> greys;
   for (unsigned int i = 0; i < RadialProfile::size; ++i) {
     std::size_t count = 0;
-    for (unsigned int k = 0; k < directions; ++k) {
-      const double angle = 2. * M_PI * (k + 0.5) / directions;
-      const Eigen::Vector2d q = RadialProfile::radiusAt(i) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    for (const Eigen::Vector2d &direction : outward) {
+      const Eigen::Vector2d q = RadialProfile::radiusAt(i) * direction;
       if (const auto grey = bilinear(I, camera.toPixel(plane.project(q)))) {
         greys[count++] = *grey;
       }

@@ -65,6 +65,23 @@ bool looksLikeCode(const SectorReading &reading)
          std::abs(reading.middle - 0.5) <= mostOffMiddle;
 }
 
+// Share of the sectors that are seen which are of another colour than the one that is seen before them.
+double shareOfChanges(const SectorReading &reading)
+{
+  unsigned int pairs = 0;
+  unsigned int changes = 0;
+  std::optional<bool> before;
+  for (unsigned int k = 0; k < reading.sectors; ++k) {
+    if (reading.seen[k] >= leastSeen) {
+      const bool isBlack = reading.soft[k] > 0.;
+      pairs += before ? 1 : 0;
+      changes += before && *before != isBlack ? 1 : 0;
+      before = isBlack;
+    }
+  }
+  return pairs > 0 ? static_cast<double>(changes) / pairs : 0.;
+}
+
 // Margin from which the code that was read at one pose is not looked for at the other.
 constexpr double clearMargin = 0.6;
 
@@ -96,27 +113,25 @@ Recognition markerOf(const PosePair &poses, const vpCircleMarkerFamily &family,
   return result;
 }
 
-Judged<Recognition> recogniseCode(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
-                                  const vpCircleMarkerFamily &family, const DecodeSettings &settings,
-                                  ReadingTrace *trace)
+Judged<Recognition> recogniseCode(OutlineInImage &seen, const vpCircleMarkerFamily &family,
+                                  const DecodeSettings &settings, ReadingTrace *trace)
 {
-  std::array<Judged<SectorReading>, 2> sectors = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
   for (std::size_t i = 0; i < 2; ++i) {
-    sectors[i] = readSectors(I, camera, poses[i], family);
-    codes[i] = sectors[i] ? identify(*sectors[i], family, settings) : Judged<CodeReading>(sectors[i].reason());
+    const Judged<SectorReading> &sectors = seen.sectorsAt(i, family);
+    codes[i] = sectors ? identify(*sectors, family, settings) : Judged<CodeReading>(sectors.reason());
     if (codes[i] && codes[i]->hamming == 0 && codes[i]->margin >= clearMargin) {
       break; // the other pose could only be read as the same
     }
   }
   const std::size_t best = isFarther(codes[0], codes[1]) ? 1 : 0;
   if (trace != nullptr) {
-    *trace = {poses[best], sectors[best].seen(), codes[best].seen()};
+    *trace = {seen.poses[best], seen.sectorsAt(best, family).seen(), codes[best].seen()};
   }
   if (!codes[best]) {
     return codes[best].reason();
   }
-  return markerOf(poses, family, codes, best);
+  return markerOf(seen.poses, family, codes, best);
 }
 
 // The darkness of the sectors as they were read, in the order of a code that starts at an angle of the plane.
@@ -149,35 +164,32 @@ Recognition blurredMarkerOf(const BlurredReading &reading, const vpCircleMarkerF
 }
 
 // A marker whose sectors are too blurred to be read one by one; nothing if it is none, or not certain.
-std::optional<Recognition> recogniseBlurred(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                            const PosePair &poses, const EllipseCandidate &outline,
-                                            const vpCircleMarkerFamily &family, const DecodeSettings &settings,
-                                            const Deadline &deadline)
+std::optional<Recognition> recogniseBlurred(const OutlineInImage &seen, const vpCircleMarkerFamily &family,
+                                            const DecodeSettings &settings, const Deadline &deadline)
 {
-  const auto reading =
-      readBlurred(I, camera, outline.ellipse, poses[0].radius, family, settings.minimumMargin, deadline);
+  const auto reading = readBlurred(seen.I, seen.camera, seen.outline.ellipse, seen.poses[0].radius, family,
+                                   settings.minimumMargin, deadline);
   return reading ? std::optional<Recognition>(blurredMarkerOf(*reading, family)) : std::nullopt;
 }
 
 // A plain ring through a blur: the same.
-std::optional<Recognition> recogniseBlurredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                                const PosePair &poses, const EllipseCandidate &outline,
-                                                const vpCircleMarkerFamily &family, const Deadline &deadline)
+std::optional<Recognition> recogniseBlurredRing(const OutlineInImage &seen, const vpCircleMarkerFamily &family,
+                                                const Deadline &deadline)
 {
-  const auto reading = fitBlurredRing(I, camera, outline.ellipse, poses[0].radius, family, deadline);
+  const auto reading =
+      fitBlurredRing(seen.I, seen.camera, seen.outline.ellipse, seen.poses[0].radius, family, deadline);
   return reading ? std::optional<Recognition>(blurredMarkerOf(*reading, family)) : std::nullopt;
 }
 
 // Why there is nothing at a pose that may be a plain ring or a disc of the family; NONE if there is. The first look
 // misjudges the ratio of small and blurred rings: whether it is the family's, the fit tells.
-vpCircleMarkerReject judgeShape(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                                const EllipseCandidate &outline, const vpCircleMarkerFamily &family)
+vpCircleMarkerReject judgeShape(OutlineInImage &seen, std::size_t pose, const vpCircleMarkerFamily &family)
 {
-  const auto profile = radialProfile(I, camera, plane);
+  const std::optional<RadialProfile> &profile = seen.profileAt(pose);
   if (!profile) {
     return vpCircleMarkerReject::OUT_OF_IMAGE;
   }
-  const auto inner = innerRadius(*profile, family.getLayout().quietZone, shareOfContrast * outline.contrast);
+  const auto inner = innerRadius(*profile, family.getLayout().quietZone, shareOfContrast * seen.outline.contrast);
   if (!inner) {
     return vpCircleMarkerReject::NO_RING;
   }
@@ -185,19 +197,19 @@ vpCircleMarkerReject judgeShape(const vpImage<unsigned char> &I, const CameraMod
     return vpCircleMarkerReject::OTHER_SHAPE;
   }
   const double nominal = family.getLayout().ringInner;
-  const double slack = sameRatio + sameRatioPixels / outline.ellipse.b;
+  const double slack = sameRatio + sameRatioPixels / seen.outline.ellipse.b;
   const double radius = std::abs(*inner - nominal) < slack ? nominal : *inner;
-  if (!hasShapeAllAround(I, camera, plane, family.getLayout(), radius)) {
+  if (!hasShapeAllAround(seen.I, seen.camera, seen.poses[pose], family.getLayout(), radius)) {
     return vpCircleMarkerReject::NOT_ALL_AROUND;
   }
   return vpCircleMarkerReject::NONE;
 }
 
-Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
-                                   const EllipseCandidate &outline, const vpCircleMarkerFamily &family)
+Judged<Recognition> recogniseShape(OutlineInImage &seen, const vpCircleMarkerFamily &family)
 {
-  const bool isSmallRing = family.getType() == vpCircleMarkerFamily::RING && outline.ellipse.b < leastRingSemiMinor;
-  if (outline.support < leastSupport) {
+  const bool isRing = family.getType() == vpCircleMarkerFamily::RING;
+  const bool isSmallRing = isRing && seen.outline.ellipse.b < leastRingSemiMinor;
+  if (seen.outline.support < leastSupport) {
     return vpCircleMarkerReject::NOT_ALL_AROUND;
   }
   if (isSmallRing) {
@@ -205,13 +217,13 @@ Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const Camera
   }
   // At the mirrored pose the inner circle of a large ring lies beside where it should be.
   vpCircleMarkerReject farthest = vpCircleMarkerReject::NONE;
-  for (const MarkerPlane &plane : poses) {
-    const vpCircleMarkerReject reason = judgeShape(I, camera, plane, outline, family);
+  for (std::size_t pose = 0; pose < seen.poses.size(); ++pose) {
+    const vpCircleMarkerReject reason = judgeShape(seen, pose, family);
     if (reason == vpCircleMarkerReject::NONE) {
       Recognition result;
       result.family = family;
       result.code.margin = 1.;
-      result.poses = poses;
+      result.poses = seen.poses;
       return result;
     }
     farthest = std::max(farthest, reason);
@@ -220,47 +232,45 @@ Judged<Recognition> recogniseShape(const vpImage<unsigned char> &I, const Camera
 }
 } // namespace
 
-Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
-                              const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
-                              const DecodeSettings &settings, ReadingTrace *trace, bool mayBeBlurred,
-                              const Deadline &deadline)
+Judged<Recognition> recognise(OutlineInImage &seen, const vpCircleMarkerFamily &family, const DecodeSettings &settings,
+                              ReadingTrace *trace, bool mayBeBlurred, const Deadline &deadline)
 {
+  const EllipseParameters &ellipse = seen.outline.ellipse;
+  const vpCircleMarkerLayout &layout = family.getLayout();
   if (!family.isCoded()) {
     if (mayBeBlurred && family.getType() == vpCircleMarkerFamily::RING &&
-        looksBlurred(I, outline.ellipse, false, family.getLayout().quietZone)) {
-      if (auto blurred = recogniseBlurredRing(I, camera, poses, outline, family, deadline)) {
+        looksBlurred(seen.I, ellipse, false, layout.quietZone)) {
+      if (auto blurred = recogniseBlurredRing(seen, family, deadline)) {
         return std::move(*blurred);
       }
     }
-    return recogniseShape(I, camera, poses, outline, family);
+    return recogniseShape(seen, family);
   }
-  const vpCircleMarkerLayout &layout = family.getLayout();
-  const double trackPixels = M_PI * outline.ellipse.a * outline.ellipse.b *
-                             (layout.codeOuter * layout.codeOuter - layout.codeInner * layout.codeInner);
-  if (outline.ellipse.b < leastCodeSemiMinor || trackPixels < leastSectorPixels * family.getNbSectors()) {
+  const double trackPixels =
+      M_PI * ellipse.a * ellipse.b * (layout.codeOuter * layout.codeOuter - layout.codeInner * layout.codeInner);
+  if (ellipse.b < leastCodeSemiMinor || trackPixels < leastSectorPixels * family.getNbSectors()) {
     return vpCircleMarkerReject::TOO_SMALL;
   }
-  if (mayBeBlurred && looksBlurred(I, outline.ellipse, true, layout.quietZone)) {
-    if (auto blurred = recogniseBlurred(I, camera, poses, outline, family, settings, deadline)) {
+  if (mayBeBlurred && looksBlurred(seen.I, ellipse, true, layout.quietZone)) {
+    if (auto blurred = recogniseBlurred(seen, family, settings, deadline)) {
       return std::move(*blurred);
     }
   }
-  return recogniseCode(I, camera, poses, family, settings, trace);
+  return recogniseCode(seen, family, settings, trace);
 }
 
-std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                              const PosePair &poses, const EllipseCandidate &outline,
-                                              const vpCircleMarkerFamily &family, double noise)
+std::optional<Recognition> recogniseUncertain(OutlineInImage &seen, const vpCircleMarkerFamily &family, double noise)
 {
   // What was found by its dark line has a dark ring.
-  if (!isAsymmetricAsCode(I, outline.ellipse, noise) || (!outline.isThin && !hasDarkRing(I, camera, poses[0]))) {
+  const bool isThin = seen.outline.isThin;
+  if (!isAsymmetricAsCode(seen.I, seen.outline.ellipse, noise) ||
+      (!isThin && !hasDarkRing(seen.I, seen.camera, seen.poses[0]))) {
     return std::nullopt;
   }
-  std::array<Judged<SectorReading>, 2> sectors = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
   std::array<Judged<CodeReading>, 2> codes = {vpCircleMarkerReject::NO_SECTORS, vpCircleMarkerReject::NO_SECTORS};
   for (std::size_t i = 0; i < 2; ++i) {
-    sectors[i] = readSectors(I, camera, poses[i], family);
-    const auto closest = sectors[i] ? closestCode(*sectors[i], family, outline.isThin) : std::nullopt;
+    const Judged<SectorReading> &sectors = seen.sectorsAt(i, family);
+    const auto closest = sectors ? closestCode(*sectors, family, isThin) : std::nullopt;
     if (closest) {
       codes[i] = *closest;
     }
@@ -269,9 +279,9 @@ std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, c
   if (!codes[best]) {
     return std::nullopt;
   }
-  Recognition result = markerOf(poses, family, codes, best);
+  Recognition result = markerOf(seen.poses, family, codes, best);
   result.isCertain = false;
-  result.darkness = darknessOf(*sectors[best], codes[best]->spin);
+  result.darkness = darknessOf(*seen.sectorsAt(best, family), codes[best]->spin);
   return result;
 }
 
@@ -284,12 +294,14 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   }
   // A plain ring has no black and white sectors: it is not worth the measuring.
   std::optional<SeenParts> most;
+  double changes = 0.;
   for (const MarkerPlane &plane : poses) {
     auto reading = readCoveredSectors(I, camera, plane, family);
     if (reading && looksLikeCode(reading->sectors) && (!most || reading->seen.shareOfRing() > most->shareOfRing())) {
       most = reading->seen;
       most->track.reset();
       most->center.reset();
+      changes = shareOfChanges(reading->sectors);
     }
   }
   if (!most) {
@@ -297,6 +309,7 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   }
   Recognition result;
   result.family = vpCircleMarkerFamily::ring(family.getLayout().ringInner);
+  result.code.margin = changes;
   result.poses = poses;
   result.seen = most;
   return result;

@@ -23,6 +23,7 @@
 
 #include "decode/blurred_reading.h"
 #include "decode/identify.h"
+#include "decode/outline_in_image.h"
 #include "decode/seen_parts.h"
 #include "decode/track_pixels.h"
 #include "ellipse/ellipse_candidates.h"
@@ -55,10 +56,7 @@ struct ReadingTrace
 
 /*!
   Tells whether an outline with two possible poses is a marker of a family, and which.
-  \param I : The image.
-  \param camera : Its camera.
-  \param poses : Both poses of the outline.
-  \param outline : The outline.
+  \param seen : The outline in its image.
   \param family : The family.
   \param settings : How strictly a code is read.
   \param trace : If not null, what was read on the way.
@@ -66,30 +64,25 @@ struct ReadingTrace
   \param deadline : When to stop reading through a blur.
   \return The marker, or the reason of the pose under which it came farther.
 */
-Judged<Recognition> recognise(const vpImage<unsigned char> &I, const CameraModel &camera, const PosePair &poses,
-                              const EllipseCandidate &outline, const vpCircleMarkerFamily &family,
-                              const DecodeSettings &settings, ReadingTrace *trace = nullptr, bool mayBeBlurred = true,
+Judged<Recognition> recognise(OutlineInImage &seen, const vpCircleMarkerFamily &family, const DecodeSettings &settings,
+                              ReadingTrace *trace = nullptr, bool mayBeBlurred = true,
                               const Deadline &deadline = Deadline());
 
 /*!
   A marker whose code could not be read for certain: with the codeword that agrees best, which has to be proven once it
   is measured. Nothing if the inside has no asymmetry as a code's, the track is not made of sectors, or no dark ring
   shows all around an outline that was not found as that of a thin ring.
-  \param I : The image.
-  \param camera : Its camera.
-  \param poses : Both poses of the outline.
-  \param outline : The outline.
+  \param seen : The outline in its image.
   \param family : The family.
   \param noise : Standard deviation of the image's noise, grey levels.
 */
-std::optional<Recognition> recogniseUncertain(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                              const PosePair &poses, const EllipseCandidate &outline,
-                                              const vpCircleMarkerFamily &family, double noise);
+std::optional<Recognition> recogniseUncertain(OutlineInImage &seen, const vpCircleMarkerFamily &family, double noise);
 
 /*!
   The ring of a marker of a family with a code, of which something covers a part: a plain ring with what is seen of it,
   to be measured before its code is read. With an outline of which a part is missing the poses are not good enough to
-  tell what covers the code from the code itself.
+  tell what covers the code from the code itself. Its margin is the share of neighbouring sectors that differ, of those
+  that are seen: the more the likelier it has a code.
   \return Nothing if less than a third of the ring is seen.
 */
 std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I, const CameraModel &camera,

@@ -20,8 +20,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
 #include "support/normal_distribution.h"
 
 BEGIN_VISP_NAMESPACE
@@ -57,16 +55,59 @@ Mixture<beside> mixtureAt(const CodeTrack &track, unsigned int sample, double se
 {
   const NormalDistribution &normal = NormalDistribution::instance();
   const double angle = 2. * M_PI * (sample + 0.5) / track.samples - phase;
+  const double perBlur = 1. / track.blur[sample];
   Mixture<beside> mixture;
   mixture.sector = static_cast<int>(std::floor(angle / sectorAngle));
   double previous = 0.; // the outermost sectors take all that lies beyond them
   for (int j = 0; j < mixture.touched; ++j) {
     const double end = (mixture.sector - beside + j + 1) * sectorAngle;
-    const double upTo = j + 1 == mixture.touched ? 1. : normal.at((end - angle) / track.blur[sample]).cumulative;
+    const double upTo = j + 1 == mixture.touched ? 1. : normal.at((end - angle) * perBlur).cumulative;
     mixture.weight[static_cast<std::size_t>(j)] = upTo - previous;
     previous = upTo;
   }
   return mixture;
+}
+
+// Solves equations whose matrix, of which the lower half is given, has entries up to \e width places to either side of
+// its diagonal, around the end: L D L^T without pivots, for it is positive definite. L has entries in the same places
+// and in its last \e width rows.
+template <int width> void solveCyclicBand(SectorProducts &matrix, SectorGreys &unknowns)
+{
+  const int n = static_cast<int>(unknowns.size());
+  std::array<int, 2 * width> rows; // that have an entry in a column
+  std::array<double, 2 * width> entries;
+  for (int column = 0; column < n; ++column) {
+    std::size_t count = 0;
+    for (int row = column + 1; row <= std::min(column + width, n - 1); ++row) {
+      rows[count++] = row;
+    }
+    for (int row = std::max(column + width + 1, n - width); row < n; ++row) {
+      rows[count++] = row;
+    }
+    const double perPivot = 1. / matrix(column, column);
+    for (std::size_t i = 0; i < count; ++i) {
+      entries[i] = matrix(rows[i], column) * perPivot;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t k = i; k < count; ++k) {
+        matrix(rows[k], rows[i]) -= entries[k] * matrix(rows[i], column);
+      }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      matrix(rows[i], column) = entries[i];
+      unknowns[rows[i]] -= entries[i] * unknowns[column];
+    }
+  }
+  for (int column = n - 1; column >= 0; --column) {
+    double sum = unknowns[column] / matrix(column, column);
+    for (int row = column + 1; row <= std::min(column + width, n - 1); ++row) {
+      sum -= matrix(row, column) * unknowns[row];
+    }
+    for (int row = std::max(column + width + 1, n - width); row < n; ++row) {
+      sum -= matrix(row, column) * unknowns[row];
+    }
+    unknowns[column] = sum;
+  }
 }
 
 // Normal equations of the sectors' grey levels. Samples of one sector, which follow each other, see the same sectors:
@@ -95,11 +136,16 @@ public:
     }
   }
 
-  SectorGreys solve(double ridge)
+  // The greys, and in \e squares what they leave of the samples', whose own squares are given.
+  SectorGreys solve(double ridge, double &squares)
   {
     close();
     m_matrix.diagonal().array() += ridge;
-    return m_matrix.ldlt().solve(m_right);
+    SectorGreys greys = m_right;
+    solveCyclicBand<2 * beside>(m_matrix, greys);
+    // |y - A x|^2 where A^T A x + r x = A^T y; of samples that are explained nothing but rounding is left.
+    squares = std::max(squares - greys.dot(m_right) - ridge * greys.squaredNorm(), 0.);
+    return greys;
   }
 
 private:
@@ -141,48 +187,65 @@ double meanGrey(const CodeTrack &track)
   return sum / std::max(weights, leastTrackWeight);
 }
 
-// Least-squares grey levels of the sectors when the first starts at \e phase; returns the sum of squared residuals. Of
-// what is not seen the residuals are nought.
 template <int beside>
-double solveSectorsAs(const CodeTrack &track, unsigned int sectors, double phase, SectorGreys &greys,
-                      std::array<double, mostSamples> &residuals)
+double solveSectorsAs(const CodeTrack &track, unsigned int sectors, double phase, SectorGreys &greys)
 {
   const double mean = meanGrey(track);
   const double sectorAngle = 2. * M_PI / sectors;
-  std::array<Mixture<beside>, mostSamples> mixtures;
   SectorEquations<beside> equations(sectors);
-  for (unsigned int i = 0; i < track.samples; ++i) {
-    if (track.weight[i] > 0.) {
-      mixtures[i] = mixtureAt<beside>(track, i, sectorAngle, phase);
-      equations.add(mixtures[i], track.weight[i], track.grey[i] - mean);
-    }
-  }
-  greys = equations.solve(regularisation * track.samples / sectors);
   double squares = 0.;
   for (unsigned int i = 0; i < track.samples; ++i) {
-    residuals[i] = 0.;
     if (track.weight[i] > 0.) {
-      double predicted = mean;
-      for (int j = 0; j < mixtures[i].touched; ++j) {
-        const int sector = wrapped(mixtures[i].sector - beside + j, static_cast<int>(sectors));
-        predicted += mixtures[i].weight[static_cast<std::size_t>(j)] * greys[sector];
-      }
-      residuals[i] = track.grey[i] - predicted;
-      squares += track.weight[i] * residuals[i] * residuals[i];
+      const double grey = track.grey[i] - mean;
+      equations.add(mixtureAt<beside>(track, i, sectorAngle, phase), track.weight[i], grey);
+      squares += track.weight[i] * grey * grey;
     }
   }
+  greys = equations.solve(regularisation * track.samples / sectors, squares);
   greys.array() += mean;
   return squares;
 }
-} // namespace
 
-double solveSectors(const CodeTrack &track, unsigned int sectors, double phase, SectorGreys &greys,
-                    std::array<double, mostSamples> &residuals)
+template <int beside>
+void findResidualsAs(const CodeTrack &track, double phase, const SectorGreys &greys,
+                     std::array<double, mostSamples> &residuals)
+{
+  const int sectors = static_cast<int>(greys.size());
+  for (unsigned int i = 0; i < track.samples; ++i) {
+    residuals[i] = 0.;
+    if (track.weight[i] > 0.) {
+      const Mixture<beside> mixture = mixtureAt<beside>(track, i, 2. * M_PI / sectors, phase);
+      residuals[i] = track.grey[i];
+      for (int j = 0; j < mixture.touched; ++j) {
+        const int sector = wrapped(mixture.sector - beside + j, sectors);
+        residuals[i] -= mixture.weight[static_cast<std::size_t>(j)] * greys[sector];
+      }
+    }
+  }
+}
+
+bool isBlurShort(const CodeTrack &track, unsigned int sectors)
 {
   const double most = *std::max_element(track.blur.begin(), track.blur.begin() + track.samples);
-  return most * sectors < shortBlur * 2. * M_PI
-             ? solveSectorsAs<neighboursOfShortBlur>(track, sectors, phase, greys, residuals)
-             : solveSectorsAs<neighbours>(track, sectors, phase, greys, residuals);
+  return most * sectors < shortBlur * 2. * M_PI;
+}
+} // namespace
+
+double solveSectors(const CodeTrack &track, unsigned int sectors, double phase, SectorGreys &greys)
+{
+  return isBlurShort(track, sectors) ? solveSectorsAs<neighboursOfShortBlur>(track, sectors, phase, greys)
+                                     : solveSectorsAs<neighbours>(track, sectors, phase, greys);
+}
+
+void findResiduals(const CodeTrack &track, double phase, const SectorGreys &greys,
+                   std::array<double, mostSamples> &residuals)
+{
+  if (isBlurShort(track, static_cast<unsigned int>(greys.size()))) {
+    findResidualsAs<neighboursOfShortBlur>(track, phase, greys, residuals);
+  }
+  else {
+    findResidualsAs<neighbours>(track, phase, greys, residuals);
+  }
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -39,11 +39,13 @@ constexpr double leastTrackWeight = 1e-6;
   \param sectors : Number of the sectors.
   \param phase : Angle at which the first of them starts, rad.
   \param greys : The result.
-  \param residuals : What is left of each sample; of what is not seen nought.
-  \return The sum of their squares, weighted.
+  \return The weighted sum of squares of what they leave of the samples.
 */
-double solveSectors(const CodeTrack &track, unsigned int sectors, double phase, SectorGreys &greys,
-                    std::array<double, mostSamples> &residuals);
+double solveSectors(const CodeTrack &track, unsigned int sectors, double phase, SectorGreys &greys);
+
+/*! What such grey levels leave of each sample; of what is not seen nought. */
+void findResiduals(const CodeTrack &track, double phase, const SectorGreys &greys,
+                   std::array<double, mostSamples> &residuals);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -34,7 +34,7 @@ struct Measurement
   double cost = 0.;                 //!< Negative log-likelihood of the first, up to a constant common to both.
   double cost2 = HUGE_VAL;          //!< And of the second.
   //! The light on the marker, if it is so uneven that the pixels were taken to even light before they were fitted.
-  std::optional<UnevenLight> uneven;
+  std::optional<UnevenLight> uneven{};
 };
 
 /*! Coordinates in which measure() tells the light on a marker: those of the first pose that was recognised. */
