@@ -248,6 +248,54 @@ TEST(DetectorDebug, APageOfTextIsNotMeasuredLetterByLetter)
   EXPECT_EQ(counts[0], counts[1]);
 }
 
+// Nor are rings with something inside, each of which may be a marker that something covers.
+TEST(DetectorDebug, APageOfRingsIsNotMeasuredRingByRing)
+{
+  Random random = randomOfTest();
+  const vpHomogeneousMatrix truth = randomPose(random, 110., 0.5, middleU, middleV);
+  vpImage<unsigned char> I = imageOf(printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(truth), random);
+  cv::Mat pixels = pixelsOf(I);
+  cv::Mat drawn(pixels.size(), CV_8U, cv::Scalar(255));
+  cv::rectangle(drawn, cv::Point(335, 100), cv::Point(380, 380), cv::Scalar(30), cv::FILLED); // over a part of it
+  const int shift = 4;
+  const int unit = 1 << shift;
+  const auto drawArc = [&](double u, double v, double radius, double width, double from, double angle) {
+    const cv::Point center(cvRound(u * unit), cvRound(v * unit));
+    const int r = cvRound(radius * unit);
+    cv::ellipse(drawn, center, cv::Size(r, r), from, 0., angle, cv::Scalar(30), cvRound(width), cv::LINE_AA, shift);
+  };
+  int things = 0;
+  for (double v = 30.; v < height - 25.; v += 45.) {
+    for (double u = 30.; u < width - 25.; u += 45.) {
+      if (std::abs(u - middleU) > 110. || std::abs(v - middleV) > 170.) { // neither on its sheet nor on what covers it
+        const double turn = uniform(random, 0., 360.);
+        drawArc(u, v, 16., 4., 0., 360.);
+        drawArc(u, v, 9.5, 5., turn, 75.); // a word of four runs, which no codeword is
+        drawArc(u, v, 9.5, 5., turn + 160., 95.);
+        ++things;
+      }
+    }
+  }
+  cv::GaussianBlur(drawn, drawn, cv::Size(), 0.7);
+  cv::min(pixels, drawn, pixels);
+  ASSERT_GT(things, 80);
+  std::vector<int> passedOver;
+  for (const unsigned int threads : {1u, 2u}) {
+    vpDetectorCircleMarker detector;
+    detector.setNbThreads(threads);
+    detector.setDebug(true);
+    detector.detect(I);
+    EXPECT_EQ(detector.getTagsId(), std::vector<int>({5}));
+    const auto candidates = detector.getRejectedCandidates();
+    passedOver.push_back(
+        static_cast<int>(std::count_if(candidates.begin(), candidates.end(), [](const vpCircleMarkerCandidate &other) {
+          return other.reason == Reject::TOO_MANY;
+        })));
+  }
+  EXPECT_GT(passedOver[0], 5); // not all things are read as rings that something covers
+  EXPECT_EQ(passedOver[0], passedOver[1]);
+}
+
 TEST(DetectorDebug, ReasonsOfThingsThatAreNoMarkers)
 {
   vpDetectorCircleMarker coded;

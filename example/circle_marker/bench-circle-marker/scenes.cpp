@@ -137,6 +137,26 @@ cv::Mat lettering(int width, int height, Random &random)
   return pixels;
 }
 
+// A page of large round letters, many of which may be a marker that something covers.
+cv::Mat roundLetters(int width, int height, Random &random)
+{
+  constexpr int line = 52;   // pixels
+  constexpr int letter = 40; // pixels
+  constexpr int thickness = 5;
+  constexpr double scale = 1.6; // of OpenCV's font: letters of 35 pixels
+  const std::string letters = "OQ0869e@";
+  cv::Mat pixels(height, width, CV_8U, cv::Scalar(220));
+  for (int y = line; y < height; y += line) {
+    for (int x = letter / 2; x < width; x += letter) {
+      const std::string text(1, letters[random() % letters.size()]);
+      cv::putText(pixels, text, cv::Point(x, y), cv::FONT_HERSHEY_COMPLEX, scale, cv::Scalar(30), thickness,
+                  cv::LINE_AA);
+    }
+  }
+  cv::GaussianBlur(pixels, pixels, cv::Size(), 0.7);
+  return pixels;
+}
+
 // Circles of any size across one another.
 cv::Mat crossingRings(int width, int height, Random &random)
 {
@@ -269,6 +289,13 @@ std::vector<std::string> hardImages()
           "crossing-rings", "defocused-tracks", "lettering"};
 }
 
+std::vector<std::string> timedImages()
+{
+  std::vector<std::string> names = hardImages();
+  names.emplace_back("round-letters");
+  return names;
+}
+
 vpImage<unsigned char> makeHardImage(const std::string &name, unsigned int width, unsigned int height,
                                      std::uint64_t seed)
 {
@@ -301,6 +328,9 @@ vpImage<unsigned char> makeHardImage(const std::string &name, unsigned int width
   }
   if (name == "lettering") {
     return imageOf(lettering(w, h, random));
+  }
+  if (name == "round-letters") {
+    return imageOf(roundLetters(w, h, random));
   }
   throw vpException(vpException::badValue, "there is no hard image \"%s\"", name.c_str());
 }

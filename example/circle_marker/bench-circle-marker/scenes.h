@@ -87,12 +87,15 @@ constexpr std::uint64_t firstOfSeed(std::uint64_t seed)
   return (seed - 1) * 1000000;
 }
 
-/*! Names that makeHardImage() knows. */
+/*! Names of the hard images by which phantoms are numbered. */
 std::vector<std::string> hardImages();
+
+/*! Names of the hard images whose time is taken: those, and what came later. */
+std::vector<std::string> timedImages();
 
 /*!
   An image without markers that is made to be hard.
-  \param name : One of hardImages().
+  \param name : One of timedImages().
   \param width, height : Size, pixels.
   \param seed : Of what is random in it.
   \exception vpException::badValue : If the name is not known.

@@ -44,7 +44,7 @@ double wallMilliseconds()
 void tellTimeouts(std::ostream &out, unsigned int rounds)
 {
   std::vector<std::pair<std::string, vpImage<unsigned char>>> images;
-  for (const std::string &name : hardImages()) {
+  for (const std::string &name : timedImages()) {
     images.emplace_back(name, makeHardImage(name, 1280, 960));
   }
   SceneOptions crowd;

@@ -127,7 +127,7 @@ void registerWholeFrames()
       return scene;
     });
   }
-  for (const std::string &name : hardImages()) {
+  for (const std::string &name : timedImages()) {
     for (const Size size : {Size{640, 480}, Size{1280, 960}, Size{2560, 1920}}) {
       const std::string frame = "hard/" + name + "/" + std::to_string(size.width);
       add(circleMarker(), frame, [=]() {

@@ -24,6 +24,10 @@
 #include "decode/sector_equations.h"
 #include "testRandom.h"
 
+#ifdef ENABLE_VISP_NAMESPACE
+using namespace VISP_NAMESPACE_NAME;
+#endif
+
 using namespace circle_marker;
 using namespace random_test;
 
