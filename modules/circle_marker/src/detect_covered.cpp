@@ -71,6 +71,11 @@ constexpr double leastEitherOfCovered = 0.004;
 // A whole marker of which more pixels than this share are explained is not asked.
 constexpr double inliersOfCertain = 0.88;
 
+// Capacity, sectors, of the codes by which that was told, golay23 and bch31: of all words of 23 sectors 13.5 % lie
+// within two of a codeword. Of the 31 of bch31r, whose capacity is five, 3.5 % lie within four; so more may be like
+// paper.
+constexpr unsigned int usualCapacity = 3;
+
 // Of a ring that nothing covers this share is seen: here and there noise hides a direction.
 constexpr double wholeRing = 0.97;
 
@@ -217,7 +222,9 @@ bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, 
   if (marker.seen) {
     marker.code.hamming = std::max(marker.code.hamming, other.sectors);
   }
-  return marker.seen ? marker.code.hamming > maximumHamming || other.ink > leastInkOfCovered + corrected ||
+  const unsigned int capacity = codeOf(marker.family).getCapacity();
+  const unsigned int mostOfCovered = (maximumHamming * capacity + usualCapacity - 1) / usualCapacity;
+  return marker.seen ? marker.code.hamming > mostOfCovered || other.ink > leastInkOfCovered + corrected ||
                            std::min(other.ink, other.paper) > leastEitherOfCovered + correctedOfEither
                      : other.ink + other.paper > leastOtherOfWhole + corrected;
 }

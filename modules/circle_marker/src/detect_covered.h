@@ -95,7 +95,7 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
   \param marker : The marker. Of a covered one the sectors in plain sight that are mostly of the other colour count as
   corrected from then on: hardly anything that covers a track ends at the borders of its sectors.
   \param measurement : Of the marker.
-  \param maximumHamming : Most sectors that may be corrected.
+  \param maximumHamming : Most sectors that may be corrected; of a covered marker in proportion to its code's capacity.
   \param memory : Working memory.
 */
 bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, Recognition &marker,

@@ -89,8 +89,9 @@ void vpDetectorCircleMarker::setMarkerSizes(const std::map<int, double> &sizes)
   \param distance : Most sectors of a code that are corrected (2 by default): that were read, and against the code. The
   more are wrong the less the image looks like the marker, which is demanded, too: of golay23 hardly one with three is
   found at any distance. Sectors that are not seen are not corrected; one in plain sight that is of the other colour is,
-  even of a marker that something covers elsewhere. Markers with sectors too small to be read one by one are read as a
-  whole, unless the distance is 0.
+  even of a marker that something covers elsewhere. Of such a one of bch31r, whose code can correct five sectors where
+  the others' correct three, five thirds of the distance may be. Markers with sectors too small to be read one by one
+  are read as a whole, unless the distance is 0.
 */
 void vpDetectorCircleMarker::setMaximumHammingDistance(unsigned int distance)
 {
