@@ -223,7 +223,9 @@ bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, 
     marker.code.hamming = std::max(marker.code.hamming, other.sectors);
   }
   const unsigned int capacity = codeOf(marker.family).getCapacity();
-  const unsigned int mostOfCovered = (maximumHamming * capacity + usualCapacity - 1) / usualCapacity;
+  // No more than the code can correct: of words that are farther most are near to some codeword.
+  const unsigned int inProportion = (std::min(maximumHamming, capacity) * capacity + usualCapacity - 1) / usualCapacity;
+  const unsigned int mostOfCovered = std::min(inProportion, capacity);
   return marker.seen ? marker.code.hamming > mostOfCovered || other.ink > leastInkOfCovered + corrected ||
                            std::min(other.ink, other.paper) > leastEitherOfCovered + correctedOfEither
                      : other.ink + other.paper > leastOtherOfWhole + corrected;

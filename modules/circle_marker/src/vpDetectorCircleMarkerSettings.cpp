@@ -90,8 +90,9 @@ void vpDetectorCircleMarker::setMarkerSizes(const std::map<int, double> &sizes)
   more are wrong the less the image looks like the marker, which is demanded, too: of golay23 hardly one with three is
   found at any distance. Sectors that are not seen are not corrected; one in plain sight that is of the other colour is,
   even of a marker that something covers elsewhere. Of such a one of bch31r, whose code can correct five sectors where
-  the others' correct three, five thirds of the distance may be. Markers with sectors too small to be read one by one
-  are read as a whole, unless the distance is 0.
+  the others' correct three, five thirds of the distance may be, rounded up, and of any no more than its code can
+  correct; getHammingDistance() tells how many. Markers with sectors too small to be read one by one are read as a
+  whole, unless the distance is 0.
 */
 void vpDetectorCircleMarker::setMaximumHammingDistance(unsigned int distance)
 {
