@@ -21,6 +21,14 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+void scaleTo(double size, PosePair &poses)
+{
+  for (MarkerPlane &plane : poses) {
+    plane.center *= 0.5 * size / plane.radius;
+    plane.radius = 0.5 * size;
+  }
+}
+
 MarkerPlane planeOf(const CirclePosition &position, double radius)
 {
   MarkerPlane plane;

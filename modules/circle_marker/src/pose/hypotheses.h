@@ -31,6 +31,9 @@ namespace circle_marker {
 /*! The two poses of a circle with one image; their spin is that of poseFromCirclePosition(). */
 using PosePair = std::array<MarkerPlane, 2>;
 
+/*! Poses of a circle of another diameter with the same image, which fixes them up to the size: everything scales. */
+void scaleTo(double size, PosePair &poses);
+
 /*! The z-aligned frame of a circle. */
 MarkerPlane planeOf(const CirclePosition &position, double radius);
 
