@@ -17,6 +17,8 @@
 
 #include "detector_scenes.h"
 
+#include <numeric>
+
 using namespace detector_test;
 
 namespace {
@@ -55,8 +57,8 @@ void expectFound(const vpCameraParameters &cam, const vpCircleMarkerFamily &fami
   EXPECT_GT(found.visible, 0.9);
   double distance = mahalanobis(truth, cMo[0], found.covariance, found.dof);
   if (family.getType() == vpCircleMarkerFamily::DISC && found.hasSecondPose) {
-    // One image of a disc has both poses; the covariance is that of the first, and nearly that of the second.
-    distance = std::min(distance, mahalanobis(truth, cMo2[0], found.covariance, found.dof));
+    // One image of a disc has both poses.
+    distance = std::min(distance, mahalanobis(truth, cMo2[0], found.covariance2, found.dof));
   }
   EXPECT_LT(distance, fiveSigma(found.dof));
 }
@@ -115,6 +117,65 @@ TEST(DetectorAccuracy, CovarianceIsTrue)
   const double slack = 3.5 * std::sqrt(12. / count);
   EXPECT_GT(sum / count, 6. - slack);
   EXPECT_LT(sum / count, 6. / 0.95 + slack);
+}
+
+namespace {
+//! Squared Mahalanobis distances of the poses of discs that were the true ones.
+struct TruePoses
+{
+  std::vector<double> first;
+  std::vector<double> second;
+};
+
+// One image of a disc has two poses, and in every other one the second is the true one.
+TruePoses truePosesOfDiscs(bool refine, Random random)
+{
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::DISC);
+  detector.setZAlignedWithCameraAxis(true);
+  detector.setRefinePose(refine);
+  TruePoses distances;
+  for (int i = 0; i < 120; ++i) {
+    const vpHomogeneousMatrix truth = randomPose(random, uniform(random, 50., 120.), uniform(random, 0.4, 1.));
+    const vpImage<unsigned char> I = imageOf(printed(vpCircleMarkerFamily::DISC, -1).setPose(truth), random);
+    std::vector<vpHomogeneousMatrix> cMo, cMo2;
+    if (!detector.detect(I, size, straightCamera(), cMo, &cMo2) || !detector.getDetections()[0].hasSecondPose) {
+      continue;
+    }
+    const vpCircleMarkerDetection &found = detector.getDetections()[0];
+    const Eigen::Vector3d normal = rotationOf(truth).col(2);
+    if (normal.dot(rotationOf(cMo[0]).col(2)) >= normal.dot(rotationOf(cMo2[0]).col(2))) {
+      distances.first.push_back(mahalanobis(truth, cMo[0], found.covariance, 5));
+    }
+    else {
+      distances.second.push_back(mahalanobis(truth, cMo2[0], found.covariance2, 5));
+    }
+  }
+  return distances;
+}
+
+double meanOf(const std::vector<double> &values)
+{
+  return std::accumulate(values.begin(), values.end(), 0.) / static_cast<double>(values.size());
+}
+} // namespace
+
+TEST(DetectorAccuracy, CovarianceOfTheSecondPose)
+{
+  const std::vector<double> distances = truePosesOfDiscs(true, randomOfTest()).second;
+  ASSERT_GT(distances.size(), 30u);
+  const double slack = 3.5 * std::sqrt(10. / static_cast<double>(distances.size())); // as above, of 5
+  EXPECT_GT(meanOf(distances), 5. - slack);
+  EXPECT_LT(meanOf(distances), 5. / 0.95 + slack);
+}
+
+TEST(DetectorAccuracy, CovarianceOfTheSecondPoseWithoutRefinement)
+{
+  // That of the closed form allows for what discs in a clear image do not have: as much for one pose as for the other.
+  const TruePoses distances = truePosesOfDiscs(false, randomOfTest());
+  ASSERT_GT(distances.first.size(), 30u);
+  ASSERT_GT(distances.second.size(), 30u);
+  EXPECT_NEAR(meanOf(distances.second), meanOf(distances.first), 0.4 * meanOf(distances.first));
+  EXPECT_LT(meanOf(distances.second), 5. / 0.95);
 }
 
 TEST(DetectorAccuracy, CovarianceOfWhatFacesTheCamera)

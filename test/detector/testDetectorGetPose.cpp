@@ -144,9 +144,17 @@ TEST(DetectorGetPose, TheSizeThatIsAskedForCounts)
     for (int i = 0; i < 15; ++i) {
       std::vector<vpHomogeneousMatrix> cMo;
       detector.detect(Scenes{diameter}.next(random), size, straightCamera(), cMo);
-      vpHomogeneousMatrix asked;
-      if (!cMo.empty() && detector.getPose(0, size, straightCamera(), asked)) {
+      vpHomogeneousMatrix asked, asked2;
+      vpMatrix covariance, covariance2;
+      if (!cMo.empty() &&
+          detector.getPose(0, size, straightCamera(), asked, &asked2, nullptr, nullptr, &covariance, &covariance2)) {
         ++compared;
+        const vpCircleMarkerDetection &found = detector.getDetections()[0];
+        const double turned = found.covariance[3][3]; // rad^2
+        const double turned2 = found.covariance2[3][3];
+        EXPECT_NEAR(covariance[3][3], turned, 1e-3 * turned) << diameter;
+        EXPECT_NEAR(covariance2[3][3], turned2, 1e-3 * turned2) << diameter;
+        EXPECT_EQ(turned2 > 0., found.hasSecondPose);
         EXPECT_NEAR(cMo[0][2][3], 0.5 * focal * size / diameter, 0.1 * cMo[0][2][3]);
         EXPECT_NEAR(asked[2][3], 2. * cMo[0][2][3], 1e-6) << diameter;
       }

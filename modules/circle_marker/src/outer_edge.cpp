@@ -191,7 +191,7 @@ void addHaloDoubt(double halo, const CameraModel &camera, Measurement &measureme
     return;
   }
   const double radius = radiusOf(measurement.first.plane, camera);
-  addShiftDoubt(shiftOfHalo * halo / radius, radius, measurement.first);
+  forEachPose(measurement, [&](FittedPose &fit) { addShiftDoubt(shiftOfHalo * halo / radius, radius, fit); });
   const double believed = 1. / (1. + halo * halo / (halvingHalo * halvingHalo));
   measurement.cost2 = measurement.cost + believed * (measurement.cost2 - measurement.cost);
 }
@@ -201,13 +201,13 @@ void addLightDoubt(const CameraModel &camera, Measurement &measurement)
   if (!measurement.uneven) {
     return;
   }
-  FittedPose &fit = measurement.first;
+  const FittedPose &fit = measurement.first;
   // Pixels of an edge along which white and black are off alike.
   const double widthOfEdge = std::sqrt(2. * M_PI) * fit.photometry.blur.widest();
   const double alike = std::max(widthOfEdge * lengthOfLight * radiusOf(fit.plane, camera), 1.);
   const double off = errorOfLight * fit.photometry.tellableContrast();
   const double sharing = 1. + alike * off * off / (fit.noise * fit.noise);
-  fit.covariance *= sharing;
+  forEachPose(measurement, [sharing](FittedPose &pose) { pose.covariance *= sharing; });
   measurement.cost2 = measurement.cost + (measurement.cost2 - measurement.cost) / sharing;
 }
 } // namespace circle_marker

@@ -217,10 +217,7 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::explain(const Visit &vi
     return std::nullopt;
   }
   if (isProofWanted) { // it may be another marker than was read
-    scaleTo(sizeOf(marker, visit), measurement->first);
-    if (measurement->second) {
-      scaleTo(sizeOf(marker, visit), *measurement->second);
-    }
+    forEachPose(*measurement, [&](FittedPose &pose) { scaleTo(sizeOf(marker, visit), pose); });
   }
   return measurement;
 }
@@ -232,7 +229,8 @@ void vpDetectorCircleMarker::Impl::addDoubts(const Visit &visit, const EllipseCa
 {
   if (settings.refinePose) {
     const auto halo = marker.blurred ? std::nullopt : haloOf(visit.I, visit.camera, marker, measurement);
-    widenByShapeOfBlur(visit.noise.sigma, marker.family.isCoded(), halo, measurement.first);
+    forEachPose(measurement,
+                [&](FittedPose &pose) { widenByShapeOfBlur(visit.noise.sigma, marker.family.isCoded(), halo, pose); });
     if (!marker.blurred) { // in a wide blur there is no halo to be seen
       fit.halo = halo.value_or(0.);
       addHaloDoubt(std::hypot(fit.halo < leastHalo ? 0. : fit.halo, visit.haloError), visit.camera, measurement);
@@ -240,10 +238,13 @@ void vpDetectorCircleMarker::Impl::addDoubts(const Visit &visit, const EllipseCa
     addLightDoubt(visit.camera, measurement);
   }
   else if (!marker.blurred) {
-    measurement.first.covariance =
-        closedFormCovariance(visit.I, outline, measurement.first.plane, marker.family, visit.camera, workspace.meters);
+    forEachPose(measurement, [&](FittedPose &pose) {
+      pose.covariance =
+          closedFormCovariance(visit.I, outline, pose.plane, marker.family, visit.camera, workspace.meters);
+    });
   }
-  addCameraDoubt(settings.cameraCovariance, marker.family, visit.camera, measurement.first);
+  forEachPose(measurement,
+              [&](FittedPose &pose) { addCameraDoubt(settings.cameraCovariance, marker.family, visit.camera, pose); });
 }
 
 /*! The same in the image of a visit as it is. */

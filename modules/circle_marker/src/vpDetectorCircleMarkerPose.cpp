@@ -108,12 +108,13 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   \param projError : If not null, negative log-likelihood of cMo up to a constant common to both.
   \param projError2 : If not null, the same for cMo2, HUGE_VAL if there is none.
   \param covariance : If not null, that of cMo, 6 x 6: see vpCircleMarkerDetection.
+  \param covariance2 : If not null, that of cMo2, zero if there is none.
   \return Whether the pose could be computed with this camera.
   \exception vpException::badValue : If there is no such marker, or the size is not positive.
 */
 bool vpDetectorCircleMarker::getPose(size_t index, double size, const vpCameraParameters &cam, vpHomogeneousMatrix &cMo,
                                      vpHomogeneousMatrix *cMo2, double *projError, double *projError2,
-                                     vpMatrix *covariance)
+                                     vpMatrix *covariance, vpMatrix *covariance2)
 {
   circle_marker::checkMarkerSize(size);
   const auto detection = m_impl->measureAgain(index, size, cam);
@@ -132,6 +133,9 @@ bool vpDetectorCircleMarker::getPose(size_t index, double size, const vpCameraPa
   }
   if (covariance != nullptr) {
     *covariance = detection->covariance;
+  }
+  if (covariance2 != nullptr) {
+    *covariance2 = detection->covariance2;
   }
   return true;
 }

@@ -168,6 +168,35 @@ TEST(Report, SpinOfAMarkerWithoutACodeIsThatOfTheConvention)
   }
 }
 
+// Each pose has the covariance of its own fit: that of the second is what it would be as the first. Where there was one
+// before and is none now, nothing of it is left.
+TEST(Report, EachPoseHasItsCovariance)
+{
+  Recognition marker;
+  marker.family = vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23);
+  marker.code.id = 3;
+  Random random = randomOfTest();
+  Measurement measurement;
+  measurement.first = farFit(random);
+  measurement.second = farFit(random);
+  measurement.cost2 = 1.;
+  const CameraModel camera(vpCameraParameters(800., 800., 319.5, 239.5));
+  vpCircleMarkerDetection detection;
+  putReport(marker, measurement, camera, 1., true, detection);
+  Measurement swapped;
+  swapped.first = *measurement.second;
+  const vpCircleMarkerDetection other = reported(marker, swapped);
+  // Not by vpMatrix's comparison, which takes small numbers for equal.
+  const auto isSame = [](const vpMatrix &a, const vpMatrix &b) {
+    return a.size() == 36 && b.size() == 36 && std::equal(a.data, a.data + 36, b.data);
+  };
+  EXPECT_GT(other.covariance[2][2], 0.);
+  EXPECT_TRUE(isSame(detection.covariance2, other.covariance));
+  EXPECT_FALSE(isSame(detection.covariance2, detection.covariance));
+  putReport(marker, swapped, camera, 1., true, detection);
+  EXPECT_TRUE(isSame(detection.covariance2, vpMatrix(6, 6)));
+}
+
 TEST(Report, MarginIsNeverNegative)
 {
   Recognition marker;

@@ -269,11 +269,11 @@ Measurement measurementOf(const RankedFits &ranked, const std::optional<GivenUp>
     result.second = givenUp->fit;
     result.cost2 = result.cost + coherentOdds(givenUp->moreCost, fits[0], givenUp->fit, ranked.noise);
   }
-  for (FittedPose *fit : {&result.first, result.second ? &*result.second : nullptr}) {
-    if (fit != nullptr && fit->leanInformation) {
-      fit->covariance = nearlyFrontalCovariance(*fit, result.second.has_value());
+  forEachPose(result, [&](FittedPose &fit) {
+    if (fit.leanInformation) {
+      fit.covariance = nearlyFrontalCovariance(fit, result.second.has_value());
     }
-  }
+  });
   return result;
 }
 } // namespace

@@ -37,6 +37,15 @@ struct Measurement
   std::optional<UnevenLight> uneven{};
 };
 
+/*! Calls change(FittedPose &) for the first pose, and for the second if there is one. */
+template <class Change> void forEachPose(Measurement &measurement, const Change &change)
+{
+  change(measurement.first);
+  if (measurement.second) {
+    change(*measurement.second);
+  }
+}
+
 /*! Coordinates in which measure() tells the light on a marker: those of the first pose that was recognised. */
 ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera);
 

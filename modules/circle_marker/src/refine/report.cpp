@@ -150,11 +150,13 @@ void putReport(const Recognition &marker, const Measurement &measurement, const 
   detection.hasSecondPose = measurement.second.has_value();
   if (measurement.second) {
     putPose(withReportedSpin(marker, measurement.second->plane), zAligned, detection.cMo2);
+    putCovarianceInCamera(*measurement.second, spinIsKnown, detection.covariance2);
     detection.cost2 = measurement.cost2;
     detection.logOdds = measurement.cost2 - measurement.cost;
   }
   else {
     detection.cMo2.eye();
+    detection.covariance2.resize(6, 6, true, false);
     detection.cost2 = HUGE_VAL;
     detection.logOdds = HUGE_VAL;
   }

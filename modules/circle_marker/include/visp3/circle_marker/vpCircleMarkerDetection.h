@@ -49,31 +49,34 @@ struct vpImageEllipse
 /*!
   \struct vpCircleMarkerDetection
   \ingroup group_circle_marker
-  \brief One detected marker: identity, image, both poses and their covariance.
+  \brief One detected marker: identity, image, both poses and their covariances.
 
-  The frame of the poses follows vpDetectorCircleMarker::setZAlignedWithCameraAxis(). The covariance is that of
+  The frame of the poses follows vpDetectorCircleMarker::setZAlignedWithCameraAxis(). A covariance is that of
   \f$ \delta = (\upsilon, \omega) \f$ in the camera frame, metres and radians, with
   \f$ ^cM_o^{true} = \exp(\delta) \, ^cM_o \f$ (vpExponentialMap), and does not depend on that choice.
+  Each pose has that of its own fit: of two, one is true, and the covariance does not tell of the other. A second pose
+  that trails far behind (log-odds of some 30) was left as a fit of few pixels had it, with the covariance of these.
 */
 struct vpCircleMarkerDetection
 {
-  vpCircleMarkerFamily family;          //!< Family the marker belongs to.
-  int id = -1;                          //!< Identity in the family; -1 for a family without code.
-  unsigned int hamming = 0;             //!< Number of sectors that had to be corrected: see getHammingDistance().
-  double margin = 0.;                   //!< Decision margin in [0, 1]: see vpDetectorCircleMarker::getMargin().
-  double size = 0.;                     //!< Outer diameter of the ring used for the poses, metres.
-  unsigned int dof = 5;                 //!< Degrees of freedom that were measured: 6 with a code, 5 without.
-  vpImagePoint center;                  //!< Image of the circle's centre, pixels.
-  vpImageEllipse ellipse;               //!< Image of the ring's outer edge, pixels.
-  vpHomogeneousMatrix cMo;              //!< The pose: the more likely solution.
-  bool hasSecondPose = false;           //!< Whether there is another solution.
-  vpHomogeneousMatrix cMo2;             //!< The less likely solution, if there is one.
-  double cost = 0.;                     //!< Negative log-likelihood of cMo, up to a constant common to both poses.
-  double cost2 = HUGE_VAL;              //!< The same for cMo2; HUGE_VAL without a second solution.
-  double logOdds = HUGE_VAL;            //!< ln(likelihood of cMo / likelihood of cMo2).
-  vpMatrix covariance = vpMatrix(6, 6); //!< 6 x 6 covariance of cMo, metres and radians.
-  bool isInverse = false;               //!< Whether it is white on black: see vpDetectorCircleMarker::setPolarity().
-  double visible = 0.;                  //!< Share of the ring's outer edge that was seen, in [0, 1].
+  vpCircleMarkerFamily family;           //!< Family the marker belongs to.
+  int id = -1;                           //!< Identity in the family; -1 for a family without code.
+  unsigned int hamming = 0;              //!< Number of sectors that had to be corrected: see getHammingDistance().
+  double margin = 0.;                    //!< Decision margin in [0, 1]: see vpDetectorCircleMarker::getMargin().
+  double size = 0.;                      //!< Outer diameter of the ring used for the poses, metres.
+  unsigned int dof = 5;                  //!< Degrees of freedom that were measured: 6 with a code, 5 without.
+  vpImagePoint center;                   //!< Image of the circle's centre, pixels.
+  vpImageEllipse ellipse;                //!< Image of the ring's outer edge, pixels.
+  vpHomogeneousMatrix cMo;               //!< The pose: the more likely solution.
+  bool hasSecondPose = false;            //!< Whether there is another solution.
+  vpHomogeneousMatrix cMo2;              //!< The less likely solution, if there is one.
+  double cost = 0.;                      //!< Negative log-likelihood of cMo, up to a constant common to both poses.
+  double cost2 = HUGE_VAL;               //!< The same for cMo2; HUGE_VAL without a second solution.
+  double logOdds = HUGE_VAL;             //!< ln(likelihood of cMo / likelihood of cMo2).
+  vpMatrix covariance = vpMatrix(6, 6);  //!< 6 x 6 covariance of cMo, metres and radians.
+  vpMatrix covariance2 = vpMatrix(6, 6); //!< The same of cMo2; zero without a second solution.
+  bool isInverse = false;                //!< Whether it is white on black: see vpDetectorCircleMarker::setPolarity().
+  double visible = 0.;                   //!< Share of the ring's outer edge that was seen, in [0, 1].
 };
 
 END_VISP_NAMESPACE

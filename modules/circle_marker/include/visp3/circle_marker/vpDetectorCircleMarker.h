@@ -96,7 +96,7 @@ public:
   const std::vector<vpCircleMarkerDetection> &getDetections() const;
   bool getPose(size_t index, double size, const vpCameraParameters &cam, vpHomogeneousMatrix &cMo,
                vpHomogeneousMatrix *cMo2 = nullptr, double *projError = nullptr, double *projError2 = nullptr,
-               vpMatrix *covariance = nullptr);
+               vpMatrix *covariance = nullptr, vpMatrix *covariance2 = nullptr);
   vpImagePoint getCenter(size_t index) const;
   vpMatrix getCovariance(size_t index) const;
   double getLogOdds(size_t index) const;
