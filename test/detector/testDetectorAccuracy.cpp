@@ -19,6 +19,8 @@
 
 #include <numeric>
 
+#include <Eigen/Cholesky>
+
 using namespace detector_test;
 
 namespace {
@@ -55,6 +57,9 @@ void expectFound(const vpCameraParameters &cam, const vpCircleMarkerFamily &fami
   EXPECT_EQ(found.dof, family.isCoded() ? 6u : 5u);
   EXPECT_EQ(found.hamming, 0u);
   EXPECT_GT(found.visible, 0.9);
+  // A pose that was given up long before its end has one, too.
+  const Eigen::Map<const Eigen::Matrix<double, 6, 6>> covariance2(found.covariance2.data);
+  EXPECT_EQ(covariance2.llt().info() == Eigen::Success, found.hasSecondPose);
   double distance = mahalanobis(truth, cMo[0], found.covariance, found.dof);
   if (family.getType() == vpCircleMarkerFamily::DISC && found.hasSecondPose) {
     // One image of a disc has both poses.
