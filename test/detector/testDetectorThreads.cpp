@@ -72,6 +72,7 @@ void expectSame(const vpDetectorCircleMarker &one, const vpDetectorCircleMarker 
     }
     for (unsigned int k = 0; k < 36; ++k) {
       EXPECT_EQ(p.covariance.data[k], q.covariance.data[k]);
+      EXPECT_EQ(p.covariance2.data[k], q.covariance2.data[k]);
     }
   }
 }
