@@ -29,8 +29,8 @@
 set -euo pipefail
 quick_programs=(tutorial-circle-marker-detector tutorial-circle-marker-pbvs circle-marker-create)
 # Those that meet ViSP: its projection, its cameras and images, its AprilTag, the public classes, what they read and write;
-# and some of private functions, to see that tests can reach those here. The other files are compiled as they are
-# standalone, and give the same.
+# and some of private functions, to see that tests can reach those here. The others are the same files for the
+# same compiler as standalone.
 quick_tests=(testCircleMarkerDatabase testCircleMarkerFamily testDetectorSettings testJsonFile testMarkerPoseBound
              testMarkersAndTruth testMeasure testPoseCircle testPoseCircleErrors testPoseCircleEvidence testPoseCircleState
              testPoseCircleTrackers testProjectionConventions testRecognise testReport testSensor testSimulatedAprilTag)
