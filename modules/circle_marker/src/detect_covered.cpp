@@ -194,10 +194,12 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
 }
 
 bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                          const Measurement &measurement, MeasureMemory &memory)
+                          const Measurement &measurement, WholeVerdict verdict, MeasureMemory &memory)
 {
+  // That no sector had to be corrected proves nothing of a covered one: a bar like paper over two black sectors may
+  // leave another codeword, and an image that is like it but for the bar.
   const bool isLikeIt = measurement.first.correlation >= correlationOfPrint && !measurement.first.photometry.shadow;
-  if (marker.code.hamming == 0 && isLikeIt) {
+  if (verdict == WholeVerdict::DOUBTFUL && isLikeIt) {
     return true;
   }
   const TrackPixels pixels(I, camera, ringOf(measurement, marker.poses[0], camera), marker.family, memory.track);

@@ -81,11 +81,15 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
                         const Recognition &marker, const Measurement &measurement, MeasureMemory &memory);
 
 /*!
-  Whether a marker that something covers, but that cannot be read as a covered one, is what it was read as: without a
-  correction, and the image is like it but for what covers it; or its codeword is the likeliest by far for what is seen.
+  Whether a marker that cannot be read as a covered one is what it was read as, though something seems to cover it: its
+  codeword is the likeliest by far for what is seen; or it is only doubtful, and the image is like it.
+  \param I, camera : Image and camera.
+  \param marker, measurement : The marker, as it was read, and its measured pose.
+  \param verdict : That of judgeWhole().
+  \param memory : Working memory.
 */
 bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
-                          const Measurement &measurement, MeasureMemory &memory);
+                          const Measurement &measurement, WholeVerdict verdict, MeasureMemory &memory);
 
 /*!
   Whether the code track shows another code in plain sight, though by what the fit left out it was taken for this one

@@ -118,7 +118,7 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
       return again;
     }
   }
-  if (covered || !isRightThoughCovered(visit.I, visit.camera, marker, measurement, memory)) {
+  if (covered || !isRightThoughCovered(visit.I, visit.camera, marker, measurement, verdict, memory)) {
     return std::nullopt;
   }
   return verdict == WholeVerdict::DOUBTFUL ? measurement : leftOut();

@@ -188,23 +188,24 @@ TEST(DetectCovered, WhatNothingConfirmsIsWrong)
   }
 }
 
-// What is read without a correction is kept though something seems to cover it, if the image is like it; else what is
-// seen must tell its codeword from all others.
-TEST(DetectCovered, KeptThoughCoveredIfTheImageIsLikeIt)
+// What something seems to cover is kept if what is seen tells its codeword from all others; and what is only doubtful
+// if the image is like it, too.
+TEST(DetectCovered, KeptThoughCoveredIfItsCodewordIsTold)
 {
   Random random = randomOfTest();
   const MarkerScene scene = markerScene(random, golay23, 7, 70., 0.3, side);
   MeasuredMarker measured(scene, 7, random);
   ASSERT_TRUE(measured.measurement);
   const Recognition wrong = recognisedAs(scene, 27, 0);
-  const auto isKept = [&](const Recognition &readAs) {
-    return isRightThoughCovered(measured.I, measured.camera, readAs, *measured.measurement, measured.memory);
+  const auto isKept = [&](const Recognition &readAs, WholeVerdict verdict) {
+    return isRightThoughCovered(measured.I, measured.camera, readAs, *measured.measurement, verdict, measured.memory);
   };
-  EXPECT_TRUE(isKept(measured.marker));
-  EXPECT_TRUE(isKept(wrong));
+  EXPECT_TRUE(isKept(measured.marker, WholeVerdict::COVERED)) << "by its pixels";
+  EXPECT_FALSE(isKept(wrong, WholeVerdict::COVERED)) << "though no sector was corrected";
+  EXPECT_TRUE(isKept(wrong, WholeVerdict::DOUBTFUL));
   measured.measurement->first.correlation = 0.9;
-  EXPECT_TRUE(isKept(measured.marker)) << "by its pixels";
-  EXPECT_FALSE(isKept(wrong));
+  EXPECT_TRUE(isKept(measured.marker, WholeVerdict::DOUBTFUL)) << "by its pixels";
+  EXPECT_FALSE(isKept(wrong, WholeVerdict::DOUBTFUL));
 }
 
 // What is measured again without what covers it starts from a flat sheet, whatever the first fit made of the cover.

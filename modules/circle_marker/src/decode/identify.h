@@ -68,7 +68,10 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, const TrackPix
                                     const vpCircleMarkerFamily &family, const DecodeSettings &settings,
                                     SeenParts &seen);
 
-/*! Whether a codeword whose first sector begins at angle 0 is the likeliest for the pixels of a track by such odds. */
+/*!
+  Whether a codeword that was read as if nothing covered it, whose first sector begins at angle 0, is the likeliest for
+  the pixels of a track.
+*/
 bool isLikeliest(const TrackPixels &pixels, CyclicCode::Word word, const vpCircleMarkerFamily &family);
 } // namespace circle_marker
 END_VISP_NAMESPACE
