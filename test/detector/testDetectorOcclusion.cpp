@@ -16,7 +16,10 @@
  * Markers that something covers in part are found, rightly read, or not at all.
  */
 
+#include <algorithm>
+#include <bitset>
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -51,7 +54,8 @@ struct Floor
 };
 
 // A bar's, from one line to another; either may be beyond the sheet.
-constexpr double beyondSheet = 3.; // outer radii
+constexpr double beyondSheet = 3.;      // outer radii
+constexpr double beyondQuietZone = 1.6; // outer radii
 std::vector<Eigen::Vector2d> cornersOfBar(const Eigen::Rotation2Dd &turned, double first, double last)
 {
   std::vector<Eigen::Vector2d> points;
@@ -171,3 +175,97 @@ INSTANTIATE_TEST_SUITE_P(Floors, DetectorOcclusion,
                                   (floor.gamma == 1. ? "" : "_gamma" + hundredths(floor.gamma)) +
                                   (floor.motion == 0. ? "" : "_motion") + (floor.light == 1. ? "" : "_over");
                          });
+
+namespace {
+// A marker, and sectors side by side without whose ink it is nearly another one.
+struct Lookalike
+{
+  int id;
+  double first;
+  double end;
+};
+
+// Those of golay23 where no more than two sectors beside the covered ones differ, as many as are corrected. (A codeword
+// is told from all others by any twelve of its 23 sectors; so there is none without that.)
+std::vector<Lookalike> lookalikes(const vpCircleMarkerFamily &family)
+{
+  constexpr unsigned int fewest = 8; // covered sectors
+  constexpr unsigned int most = 12;
+  constexpr std::size_t mostOff = 2;
+  constexpr std::size_t n = 23;
+  using Word = std::bitset<n>;
+  std::vector<Word> others;
+  std::vector<int> ids;
+  for (int id = 0; id < static_cast<int>(family.getNbIds()); ++id) {
+    const Word word(family.getCodeword(id));
+    for (std::size_t turn = 0; turn < n; ++turn) {
+      others.push_back(word << turn | word >> (n - turn));
+      ids.push_back(id);
+    }
+  }
+  std::vector<Lookalike> found;
+  for (std::size_t i = 0; i < others.size(); i += n) { // unturned
+    for (unsigned int count = fewest; count <= most; ++count) {
+      for (unsigned int first = 0; first < n; ++first) {
+        Word covered; // the first sector is the highest bit
+        for (unsigned int k = 0; k < count; ++k) {
+          covered.set(n - 1 - (first + k) % n);
+        }
+        const Word seen = others[i] & ~covered;
+        for (std::size_t j = 0; j < others.size(); ++j) {
+          if (ids[j] != ids[i] && (seen ^ others[j]).count() <= mostOff) {
+            found.push_back({ids[i], 1. * first, 1. * first + count});
+          }
+        }
+      }
+    }
+  }
+  return found;
+}
+} // namespace
+
+// Something as white as paper over ring and code that leaves nearly another codeword: it is read as its own or not at
+// all.
+TEST(DetectorOcclusion, PaperThatLeavesAnotherCodewordIsNotReadAsThat)
+{
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const std::vector<Lookalike> all = lookalikes(family);
+  ASSERT_GT(all.size(), 100u);
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector(family);
+  detector.setZAlignedWithCameraAxis(true);
+  unsigned int right = 0;
+  for (unsigned int frame = 0; frame < 150; ++frame) {
+    const Lookalike &marker = all[std::uniform_int_distribution<std::size_t>(0, all.size() - 1)(random)];
+    const double diameter = 44. * std::pow(150. / 44., uniform(random, 0., 1.));
+    const vpHomogeneousMatrix cMo = randomPose(random, diameter, uniform(random, 0., 1.));
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    simulator.setBackground(vpSceneBackground::clutter(random(), 20));
+    // From within the track to beyond the quiet zone, and up to a third of a sector to either side.
+    const double innermost = uniform(random, 0.5, 1.) * family.getLayout().codeInner;
+    const double first = marker.first - uniform(random, 0., 0.3);
+    const double end = marker.end + uniform(random, 0., 0.3);
+    constexpr int corners = 21; // of each side
+    std::vector<vpImagePoint> cover;
+    for (int i = 0; i < 2 * corners; ++i) {
+      const double along = static_cast<double>(std::min(i, 2 * corners - 1 - i)) / (corners - 1);
+      const double angle = 2. * M_PI * (first + (end - first) * along) / family.getNbSectors();
+      const double radius = 0.5 * size * (i < corners ? innermost : beyondQuietZone);
+      const Eigen::Vector3d p = translationOf(cMo) + rotationOf(cMo).leftCols<2>() * radius *
+                                                         Eigen::Vector2d(std::cos(angle), std::sin(angle));
+      cover.push_back(simulator.project(p.x(), p.y(), p.z()));
+    }
+    simulator.addOccluder(vpSceneOccluder::polygon(cover, vpScenePhotometry().paper + uniform(random, -8., 8.)));
+    vpSimulatedMarker print = printed(family, marker.id);
+    simulator.addMarker(print.setPose(cMo));
+    vpImage<unsigned char> I;
+    simulator.render(I, random());
+    std::vector<vpHomogeneousMatrix> poses;
+    detector.detect(I, size, straightCamera(), poses);
+    for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
+      EXPECT_EQ(detection.id, marker.id) << "frame " << frame;
+      right += detection.id == marker.id ? 1 : 0;
+    }
+  }
+  EXPECT_GE(right, 10u) << "of 150: more than a third is covered, of most a half of the ring";
+}

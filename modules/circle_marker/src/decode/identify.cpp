@@ -52,12 +52,16 @@ constexpr double leastOddsOfCovered = 7.;
 // Where a sector has fewer pixels than this most of them lie at its borders, which phase and pose move: more is asked
 // then. (Of 8400 covered golay23 of 12 to 45 pixels in any light one was read as another, with odds of e^8.6.)
 constexpr double fewPixelsOfSector = 16.;
-constexpr double leastOddsOfFewPixels = 10.;
-// And where the codeword was read sector by sector, with what covers the marker among the sectors: then it is one that is
-// near to what is seen, and looked for in more than one image, as it is and as it was before a camera sharpened it. (Of
-// 8400 covered golay23 six are read that way, two of them with less. One of 700 others was read as another, with odds
-// of e^8.0.)
-constexpr double leastOddsIfReadWhole = 10.;
+// So it is where no more sectors than one are told beyond the message's bits: there any word is a codeword, and a
+// single sector that the cover makes another one is a wrong id. (One of 3000 golay23 behind paper that leaves another
+// codeword was read as that, with 12.0 sectors and odds of e^7.2.)
+constexpr double checkingSectors = 1.;
+constexpr double leastOddsUnlessClear = 10.;
+// And where the codeword was read sector by sector, with what covers the marker among the sectors: then it is one that
+// is near to what is seen, and looked for in more than one image, as it is and as it was before a camera sharpened it.
+// (Of 8400 covered golay23 six are read that way, two of them with less. One of 700 others was read as another, with
+// odds of e^8.0.)
+constexpr double leastOddsIfReadWhole = leastOddsUnlessClear;
 // And so many of the sectors that are told are black: a ring with nothing inside but a few lines across it is white all
 // around, and what is not is covered. (Such phantoms had 1.5 to 2.4. With 3, two of 280 golay23 of which 0.4 is covered
 // less were found, with this none.)
@@ -203,11 +207,13 @@ Judged<CodeReading> identifyCovered(const SectorReading &reading, const TrackPix
   result.spin = phase + 2. * M_PI * identity->rotation / reading.sectors;
   // As many bits as the message has leave one codeword; each sector more halves the chance that what is none fits.
   const auto told = static_cast<unsigned int>(std::lround(best.confirmed + best.contradicted));
-  if (best.confirmedBlack < fewestBlack || best.confirmed - bitsOfErrors(told, result.hamming) < code.getDimension()) {
+  const double checks = best.confirmed - bitsOfErrors(told, result.hamming) - code.getDimension();
+  if (best.confirmedBlack < fewestBlack || checks < 0.) {
     return {vpCircleMarkerReject::NO_SECTORS, result};
   }
   const double corrected = static_cast<double>(result.hamming) / code.getCapacity();
-  const double leastOdds = evidence.pixelsPerSector() < fewPixelsOfSector ? leastOddsOfFewPixels : leastOddsOfCovered;
+  const bool isClear = evidence.pixelsPerSector() >= fewPixelsOfSector && checks >= checkingSectors;
+  const double leastOdds = isClear ? leastOddsOfCovered : leastOddsUnlessClear;
   if (result.hamming > settings.maximumHamming || best.odds < leastOdds ||
       result.margin < settings.minimumMargin + marginOfCapacity * corrected) {
     return {vpCircleMarkerReject::LOW_MARGIN, result};
