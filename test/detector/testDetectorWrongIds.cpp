@@ -53,7 +53,7 @@ Outcome outcomeOf(const bench::Scene &scene, vpDetectorCircleMarker &detector)
 TEST(DetectorWrongIds, SmallMarkersInAnyLight)
 {
   vpDetectorCircleMarker detector(vpCircleMarkerFamily::GOLAY23);
-  for (const std::uint64_t seed : {5180, 5572, 5890}) {
+  for (const std::uint64_t seed : {5180ULL, 5572ULL, 5890ULL, 41000001004ULL}) {
     bench::SceneOptions options;
     options.markers = 20;
     options.leastDiameter = 10.;

@@ -83,7 +83,8 @@ constexpr MostLeft mostLeftIfUncertain = {HUGE_VAL, 1.2, 0.005};
 // A code that was not read for certain and whose odds are not clear must not leave more than so many standard
 // deviations of what noise leaves: of n pixels its root mean square is known to 1 / sqrt(2 n). In 18000 markers of 8 to
 // 24 pixels two that were read as others had odds of e^27 and e^32 and left 4.4 more; of the right ones with such odds
-// one in a hundred leaves 3.5 more.
+// one in a hundred leaves 3.5 more. What the model lacks adds to that as noise does, by squares: simply added it
+// allowed a golay23 of 14.6 pixels, read as another with odds of e^34.6, 6 standard deviations more.
 constexpr double mostDeviations = 3.5;
 // What is no marker, letters, rings of dots, a castle's window, may be near a codeword, but it is not what is printed:
 // it leaves 4 % of its contrast and more besides noise, and correlates by less than 0.98. True markers do by that in
@@ -119,8 +120,9 @@ bool isAtRightPose(const CodeToProve &what, double odds)
   const auto leavesUpTo = [&](const MostLeft &most) {
     const bool isDoubted = !what.isCertain && odds < clearOdds;
     const double byChance = 1. + mostDeviations / std::sqrt(2. * static_cast<double>(what.pixels) / fit.sharing);
-    const double factor = isDoubted ? std::min(most.noise, byChance) : most.noise;
-    return fit.noise < factor * noise + most.lacking * fit.photometry.tellableContrast();
+    const double lacking = most.lacking * fit.photometry.tellableContrast();
+    return isDoubted ? fit.noise < std::hypot(std::min(most.noise, byChance) * noise, lacking)
+                     : fit.noise < most.noise * noise + lacking;
   };
   const auto most = std::find_if(mostLeftByOdds.begin(), mostLeftByOdds.end(),
                                  [odds](const MostLeft &some) { return odds < some.odds; });
