@@ -54,8 +54,7 @@ struct Floor
 };
 
 // A bar's, from one line to another; either may be beyond the sheet.
-constexpr double beyondSheet = 3.;      // outer radii
-constexpr double beyondQuietZone = 1.6; // outer radii
+constexpr double beyondSheet = 3.; // outer radii
 std::vector<Eigen::Vector2d> cornersOfBar(const Eigen::Rotation2Dd &turned, double first, double last)
 {
   std::vector<Eigen::Vector2d> points;
@@ -245,7 +244,8 @@ TEST(DetectorOcclusion, PaperThatLeavesAnotherCodewordIsNotReadAsThat)
     const double innermost = uniform(random, 0.5, 1.) * family.getLayout().codeInner;
     const double first = marker.first - uniform(random, 0., 0.3);
     const double end = marker.end + uniform(random, 0., 0.3);
-    constexpr int corners = 21; // of each side
+    constexpr int corners = 21;             // of each side
+    constexpr double beyondQuietZone = 1.6; // outer radii
     std::vector<vpImagePoint> cover;
     for (int i = 0; i < 2 * corners; ++i) {
       const double along = static_cast<double>(std::min(i, 2 * corners - 1 - i)) / (corners - 1);
@@ -267,5 +267,5 @@ TEST(DetectorOcclusion, PaperThatLeavesAnotherCodewordIsNotReadAsThat)
       right += detection.id == marker.id ? 1 : 0;
     }
   }
-  EXPECT_GE(right, 10u) << "of 150: more than a third is covered, of most a half of the ring";
+  EXPECT_GE(right, 10u) << "of 150, of which a third to a half is covered";
 }

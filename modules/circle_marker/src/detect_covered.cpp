@@ -196,8 +196,8 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
 bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
                           const Measurement &measurement, WholeVerdict verdict, MeasureMemory &memory)
 {
-  // That no sector had to be corrected proves nothing of a covered one: a bar like paper over two black sectors may
-  // leave another codeword, and an image that is like it but for the bar.
+  // That no sector had to be corrected proves nothing of a covered one: a bar like paper over black sectors may leave
+  // another codeword, and an image that is like it but for the bar.
   const bool isLikeIt = measurement.first.correlation >= correlationOfPrint && !measurement.first.photometry.shadow;
   if (verdict == WholeVerdict::DOUBTFUL && isLikeIt) {
     return true;
