@@ -17,6 +17,8 @@
 
 #include "code_proof.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #ifdef ENABLE_VISP_NAMESPACE
@@ -82,8 +84,6 @@ TEST(CodeProof, TheCodeMustExplainTheTrack)
   EXPECT_FALSE(proves(500., fit, 2., true, 2.1));
 }
 
-// Of 200 pixels the noise is known to 5 %: without clear odds no more than 3.5 times that may be left, besides 0.3 % of
-// the contrast; of 20 pixels the factor is 1.2.
 TEST(CodeProof, OverwhelmingOddsNeedNotIfNoiseAloneIsLeft)
 {
   // Noise alone is 1.2 times that of the image and 0.5 % of the contrast.
@@ -106,12 +106,16 @@ TEST(CodeProof, NoOtherCodeIsMeasuredWhereNoneExplainsTheTrack)
   EXPECT_FALSE(isWorthMeasuring(code));
 }
 
+// Of 200 pixels the noise is known to 5 %: without clear odds no more than 3.5 times that may be left, and 0.3 % of the
+// contrast as more noise; of 20 pixels the factor is 1.2. With clear odds the contrast's share is simply added.
 TEST(CodeProof, NoMoreThanTheNoiseMayBeLeft)
 {
-  EXPECT_TRUE(proves(35., fitThatLeaves(4. * 1.17 + 0.45), 4., false));
-  EXPECT_FALSE(proves(35., fitThatLeaves(4. * 1.18 + 0.45), 4., false));
-  EXPECT_TRUE(proves(35., fitThatLeaves(4. * 1.19 + 0.45), 4., false, 0.8, bch, 20));
-  EXPECT_FALSE(proves(35., fitThatLeaves(4. * 1.21 + 0.45), 4., false, 0.8, bch, 20));
+  const auto leaves = [](double factor) { return fitThatLeaves(std::hypot(4. * factor, 0.45)); };
+  EXPECT_TRUE(proves(35., leaves(1.17), 4., false));
+  EXPECT_FALSE(proves(35., leaves(1.18), 4., false));
+  EXPECT_FALSE(proves(35., fitThatLeaves(4. * 1.17 + 0.45), 4., false)) << "by squares";
+  EXPECT_TRUE(proves(35., leaves(1.19), 4., false, 0.8, bch, 20));
+  EXPECT_FALSE(proves(35., leaves(1.21), 4., false, 0.8, bch, 20));
   EXPECT_TRUE(proves(35., fitThatLeaves(4. * 1.19 + 0.45), 4., true)) << "it was read for certain";
   EXPECT_TRUE(proves(45., fitThatLeaves(4. * 1.19 + 0.45), 4., false)) << "the odds are clear";
   EXPECT_FALSE(proves(45., fitThatLeaves(4. * 1.21 + 0.45), 4., false));
