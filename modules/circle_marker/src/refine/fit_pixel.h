@@ -53,8 +53,9 @@ struct FitPixel
   /*! Whether it may see anything that lies beyond the paper. */
   bool seesSurround() const { return beyond[0].share > 0.f || beyond[1].share > 0.f; }
 
+  // The one that is aligned comes first: so a pixel fills one line of the cache, not one and a quarter.
+  Eigen::Matrix2f meterPerPixel = Eigen::Matrix2f::Zero(); //!< Derivative of \e meter with respect to the pixel.
   Eigen::Vector2f meter = Eigen::Vector2f::Zero();         //!< Normalised coordinates of its centre.
-  Eigen::Matrix2f meterPerPixel = Eigen::Matrix2f::Zero(); //!< Their derivative with respect to the pixel.
   Eigen::Vector2f offset = Eigen::Vector2f::Zero();        //!< In the coordinates of an ImageFrame: for the light.
   float grey = 0.f;                                        //!< Measured grey level.
   std::array<BeyondPaper, paperShapes> beyond{};           //!< What may lie beyond the paper, by its shape.

@@ -39,8 +39,6 @@ constexpr double bandOfLarge = 1.6;
 constexpr double smallMarker = 40.;  // diameter, pixels
 constexpr double largeMarker = 200.; // diameter, pixels
 constexpr double poseErrorOfSelection = 0.3;
-// Hypotheses that are served.
-constexpr std::size_t mostHypotheses = 2;
 
 // Box around the marker and its quiet zone in all hypotheses, within the image.
 PixelBox boundingBox(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
@@ -114,7 +112,7 @@ public:
     pixel.offset << static_cast<float>(m_perSize * (u - m_frame.center.x())),
         static_cast<float>(m_perSize * (v - m_frame.center.y()));
     pixel.grey = m_image[v][u];
-    if (m_surround.isNear() && !m_surround.complete(meter, pixel)) {
+    if (m_surround.isNear() && !m_surround.complete(u, v, meter, pixel)) {
       m_pixels.pop_back();
     }
   }
@@ -188,7 +186,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
       if (!isNear && !usesFlat) {
         continue;
       }
-      surround.enter(hypotheses);
+      surround.enter(middle, hypotheses);
       const Eigen::Matrix2f derivative = tile.meterPerPixel.cast<float>();
       if (!isNear) {
         adder.add(left, top, derivative);
