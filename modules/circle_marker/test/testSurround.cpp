@@ -44,17 +44,17 @@ TEST(Surround, SeesWhereThePaperEnds)
     MarkerScene scene =
         markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., uniform(random, 0., 0.8), side);
     const vpImage<unsigned char> I = photograph(side, side, 0.7, scene);
-    const Surround surround =
-        surroundOf(I, CameraModel(scene.camera()), scene.plane(), {PaperShape::ROUND, 1. + 1. / 6., 0.}, 0.8);
+    const CameraModel camera(scene.camera());
+    Surround surround(I, camera, scene.plane(), {PaperShape::ROUND, 1. + 1. / 6., 0.}, 0.8);
     for (unsigned int k = 0; k < Surround::directions; ++k) {
       const double angle = 2. * M_PI * k / Surround::directions;
       const double alongSide = std::max(std::fabs(std::cos(angle)), std::fabs(std::sin(angle)));
       if (alongSide > 0.995) { // toward a side of the square sheet, which ends at the quiet zone's end
-        EXPECT_NEAR(surround.grey[k], scene.surround, 12.) << k;
+        EXPECT_NEAR(surround.toward(k).grey, scene.surround, 12.) << k;
       }
       else if (alongSide < 0.75) { // toward a corner, where it goes on
-        EXPECT_NEAR(surround.grey[k], scene.white, 2.) << k;
-        EXPECT_LT(surround.spread[k], 2.) << k;
+        EXPECT_NEAR(surround.toward(k).grey, scene.white, 2.) << k;
+        EXPECT_LT(surround.toward(k).spread, 2.) << k;
       }
     }
   }
@@ -65,11 +65,12 @@ TEST(Surround, BeyondTheImageNothingIsKnown)
   Random random = randomOfTest();
   MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., 0., side);
   scene.center.x() -= (side / 2. - 32.) * scene.center.z() / scene.focal; // its left quiet zone is at the image's edge
-  const Surround surround = surroundOf(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), scene.plane(),
-                                       {PaperShape::ROUND, 1. + 1. / 6., 0.}, 0.8);
+  const vpImage<unsigned char> I = photograph(side, side, 0.7, scene);
+  const CameraModel camera(scene.camera());
+  Surround surround(I, camera, scene.plane(), {PaperShape::ROUND, 1. + 1. / 6., 0.}, 0.8);
   unsigned int unknown = 0;
-  for (const float spread : surround.spread) {
-    unknown += std::isinf(spread);
+  for (unsigned int k = 0; k < Surround::directions; ++k) {
+    unknown += std::isinf(surround.toward(k).spread);
   }
   EXPECT_GT(unknown, 3u);
   EXPECT_LT(unknown, Surround::directions / 2);
@@ -81,13 +82,14 @@ TEST(Surround, AroundASquareSheetIsOneGrey)
   for (int i = 0; i < 10; ++i) {
     MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 3, 60.,
                                     uniform(random, 0., 0.6), side);
-    const Surround surround = surroundOf(photograph(side, side, 0.7, scene), CameraModel(scene.camera()), scene.plane(),
-                                         {PaperShape::SQUARE, 1. + 1. / 6., 0.}, 0.8);
+    const vpImage<unsigned char> I = photograph(side, side, 0.7, scene);
+    const CameraModel camera(scene.camera());
+    Surround surround(I, camera, scene.plane(), {PaperShape::SQUARE, 1. + 1. / 6., 0.}, 0.8);
     unsigned int known = 0;
     for (unsigned int k = 0; k < Surround::directions; ++k) {
-      if (std::isfinite(surround.spread[k])) {
+      if (std::isfinite(surround.toward(k).spread)) {
         ++known;
-        EXPECT_NEAR(surround.grey[k], scene.surround, 15.) << k;
+        EXPECT_NEAR(surround.toward(k).grey, scene.surround, 15.) << k;
       }
     }
     EXPECT_GT(known, Surround::directions / 2);

@@ -132,7 +132,9 @@ class SeenGround
 {
 public:
   SeenGround(const MeasuredView &view, const vpCircleMarkerLayout &layout)
-      : m_view(view), m_papers(papersAround(layout))
+      : m_view(view), m_papers(papersAround(layout)),
+        m_surrounds{{{view.I, view.camera, view.fit.plane, m_papers[0], view.fit.photometry.blur.widest()},
+                     {view.I, view.camera, view.fit.plane, m_papers[1], view.fit.photometry.blur.widest()}}}
   {
   }
 
@@ -143,20 +145,13 @@ public:
     if (point.q.norm() < m_papers[0].extent - clearOfSurround * point.byPixel.norm()) {
       return 0.;
     }
-    if (!m_isLookedAt) {
-      for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-        m_surrounds[shape] =
-            surroundOf(m_view.I, m_view.camera, m_view.fit.plane, m_papers[shape], m_view.fit.photometry.blur.widest());
-      }
-      m_isLookedAt = true;
-    }
     const unsigned int direction = Surround::directionOf(point.q);
     double more = 0.;
     for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-      const Surround &surround = m_surrounds[shape];
-      if (std::isfinite(surround.spread[direction])) {
+      const Ground &ground = m_surrounds[shape].toward(direction);
+      if (std::isfinite(ground.spread)) {
         more += m_view.fit.photometry.surround[shape] * shareBeyond(point, m_papers[shape], 1.).share *
-                (surround.grey[direction] - white);
+                (ground.grey - white);
       }
     }
     return more;
@@ -166,7 +161,6 @@ private:
   const MeasuredView &m_view;
   const PaperEnds m_papers;
   std::array<Surround, paperShapes> m_surrounds;
-  bool m_isLookedAt = false; // most tracks see nothing of it
 };
 
 // Takes pixels into the image of a code.

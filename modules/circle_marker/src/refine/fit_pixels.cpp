@@ -94,7 +94,7 @@ class PixelAdder
 {
 public:
   PixelAdder(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
-             const SurroundShare &surround, std::vector<FitPixel> &pixels)
+             SurroundShare &surround, std::vector<FitPixel> &pixels)
       : m_image(I), m_camera(camera), m_frame(frame), m_surround(surround), m_pixels(pixels),
         m_perSize(1. / frame.size), m_isLinear(camera.isLinear()), m_corner(camera.toMeter(Eigen::Vector2d::Zero())),
         m_perPixel(camera.meterPerPixel(Eigen::Vector2d::Zero()).diagonal())
@@ -121,7 +121,7 @@ private:
   const vpImage<unsigned char> &m_image;
   const CameraModel &m_camera;
   const ImageFrame &m_frame;
-  const SurroundShare &m_surround;
+  SurroundShare &m_surround;
   std::vector<FitPixel> &m_pixels;
   const double m_perSize;
   const bool m_isLinear;

@@ -19,6 +19,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include <Eigen/LU>
 
@@ -269,12 +271,19 @@ private:
   // Whether all pixels have the same derivative, as with a camera without distortion.
   static bool isUniform(const std::vector<FitPixel> &pixels)
   {
-    // All are looked at, without a condition: it is mostly so.
-    Eigen::Array22f change = Eigen::Array22f::Zero();
+    // All are looked at, without a condition: it is mostly so. By their bits, because each comparison of numbers would
+    // wait for the one before.
+    std::array<std::uint64_t, 2> first;
+    std::array<std::uint64_t, 2> changed = {};
+    static_assert(sizeof(first) == sizeof(FitPixel::meterPerPixel), "four numbers in single precision");
+    std::memcpy(first.data(), pixels.front().meterPerPixel.data(), sizeof(first));
     for (const FitPixel &pixel : pixels) {
-      change = change.max((pixel.meterPerPixel - pixels.front().meterPerPixel).array().abs());
+      std::array<std::uint64_t, 2> bits;
+      std::memcpy(bits.data(), pixel.meterPerPixel.data(), sizeof(bits));
+      changed[0] |= bits[0] ^ first[0];
+      changed[1] |= bits[1] ^ first[1];
     }
-    return (change == 0.f).all();
+    return (changed[0] | changed[1]) == 0;
   }
 
   const std::vector<FitPixel> &m_pixels;

@@ -104,33 +104,37 @@ unsigned int Surround::directionOf(const Eigen::Vector2d &q)
   return static_cast<unsigned int>(std::lround((turns + 1.) * directions)) % directions;
 }
 
-Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                    const PaperEnd &paper, double blur)
+const Ground &Surround::toward(unsigned int direction)
 {
-  Surround surround;
-  for (unsigned int k = 0; k < Surround::directions; ++k) {
-    const double angle = 2. * M_PI * k / Surround::directions;
-    const Eigen::Vector2d q(std::cos(angle), std::sin(angle));
-    const double scale = paper.shape == PaperShape::SQUARE ? paper.alongAxes(q).cwiseAbs().maxCoeff() : 1.;
-    const Eigen::Vector2d end = camera.toPixel(plane.project(paper.extent / scale * q));
-    const Eigen::Vector2d outward = (end - camera.toPixel(plane.project(q))).normalized();
-    double sum = 0., squares = 0.;
-    bool isInside = true;
-    for (unsigned int i = 0; i < looks && isInside; ++i) {
-      const Eigen::Vector2d p = end + (clearOfBlur * blur + i) * outward;
-      const auto grey = bilinear(I, p);
-      isInside = grey.has_value();
-      if (isInside) {
-        sum += *grey;
-        squares += *grey * *grey;
-      }
-    }
-    const double mean = sum / looks;
-    surround.grey[k] = static_cast<float>(mean);
-    surround.spread[k] = isInside ? static_cast<float>(std::sqrt(std::max(squares / looks - mean * mean, 0.)))
-                                  : std::numeric_limits<float>::infinity();
+  if (!m_isLookedAt[direction]) {
+    m_grounds[direction] = look(direction);
+    m_isLookedAt[direction] = true;
   }
-  return surround;
+  return m_grounds[direction];
+}
+
+Ground Surround::look(unsigned int direction) const
+{
+  const double angle = 2. * M_PI * direction / directions;
+  const Eigen::Vector2d q(std::cos(angle), std::sin(angle));
+  const double scale = m_paper.shape == PaperShape::SQUARE ? m_paper.alongAxes(q).cwiseAbs().maxCoeff() : 1.;
+  const Eigen::Vector2d end = m_camera.toPixel(m_plane.project(m_paper.extent / scale * q));
+  const Eigen::Vector2d outward = (end - m_camera.toPixel(m_plane.project(q))).normalized();
+  double sum = 0., squares = 0.;
+  bool isInside = true;
+  for (unsigned int i = 0; i < looks && isInside; ++i) {
+    const Eigen::Vector2d p = end + (clearOfBlur * m_blur + i) * outward;
+    const auto grey = bilinear(m_image, p);
+    isInside = grey.has_value();
+    if (isInside) {
+      sum += *grey;
+      squares += *grey * *grey;
+    }
+  }
+  const double mean = sum / looks;
+  return {static_cast<float>(mean), isInside
+                                        ? static_cast<float>(std::sqrt(std::max(squares / looks - mean * mean, 0.)))
+                                        : std::numeric_limits<float>::infinity()};
 }
 
 ShareBeyond shareBeyond(const PlanePoint &point, const PaperEnd &paper, double blur)

@@ -28,6 +28,7 @@
 #define VP_CIRCLE_MARKER_SURROUND_H
 
 #include <array>
+#include <bitset>
 
 #include "pose/marker_plane.h"
 #include "refine/plane_point.h"
@@ -37,27 +38,52 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Grey level beyond the quiet zone, in directions around the marker. */
-struct Surround
+/*! What is seen beyond the quiet zone in one direction. */
+struct Ground
 {
-  static constexpr unsigned int directions = 64;
-  std::array<float, directions> grey{};   //!< Mean grey level.
-  std::array<float, directions> spread{}; //!< Standard deviation; HUGE_VALF where the image ends.
-
-  //! The direction in which a point of the marker's plane lies.
-  static unsigned int directionOf(const Eigen::Vector2d &q);
+  float grey = 0.f;   //!< Mean grey level.
+  float spread = 0.f; //!< Standard deviation; HUGE_VALF where the image ends.
 };
 
 /*!
-  Looks at what lies beyond the quiet zone.
-  \param I : The image.
-  \param camera : Its camera.
-  \param plane : The marker's pose.
-  \param paper : Where the quiet zone ends.
-  \param blur : Standard deviation of the blur, pixels: the looks begin where it no longer mixes both sides.
+  What is seen beyond the quiet zone, in directions around the marker. Most markers see little of it: a direction is
+  looked at when it is first asked for.
 */
-Surround surroundOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                    const PaperEnd &paper, double blur);
+class Surround
+{
+public:
+  static constexpr unsigned int directions = 64;
+
+  /*!
+    \param I : The image, which has to outlive this.
+    \param camera : Its camera, which has to outlive this.
+    \param plane : The marker's pose.
+    \param paper : Where the quiet zone ends.
+    \param blur : Standard deviation of the blur, pixels: the looks begin where it no longer mixes both sides.
+  */
+  Surround(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane, const PaperEnd &paper,
+           double blur)
+      : m_image(I), m_camera(camera), m_plane(plane), m_paper(paper), m_blur(blur)
+  {
+  }
+
+  /*! What is seen in a direction, from 0 to before \e directions. */
+  const Ground &toward(unsigned int direction);
+
+  /*! The direction in which a point of the marker's plane lies. */
+  static unsigned int directionOf(const Eigen::Vector2d &q);
+
+private:
+  Ground look(unsigned int direction) const;
+
+  const vpImage<unsigned char> &m_image;
+  const CameraModel &m_camera;
+  const MarkerPlane m_plane;
+  const PaperEnd m_paper;
+  const double m_blur;
+  std::array<Ground, directions> m_grounds;
+  std::bitset<directions> m_isLookedAt;
+};
 
 /*! A pixel of which this share at most lies beyond the paper sees nothing of it: a thousandth of the light is below the
  * noise. */

@@ -47,18 +47,16 @@ public:
   SurroundShare(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
                 std::size_t count, const PaperEnds &papers, const BlurParameters &blur)
       : m_planes(planes), m_count(count), m_outermost(papers[0].extent), m_blur(blur.sigma), m_blurShape(blur.shape()),
-        m_papers(papers)
+        m_papers(papers), m_surrounds{{{I, camera, planes[0], papers[0], blur.widest()},
+                                       {I, camera, planes[0], papers[1], blur.widest()}}}
   {
-    for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-      m_surrounds[shape] = surroundOf(I, camera, planes[0], m_papers[shape], blur.widest());
-    }
   }
 
   // Whether any pixel of the tile may see the surround.
   bool isNear() const { return m_isNear; }
 
   // Puts what a pixel (u, v) of such a tile sees; whether it sees enough of the marker. meter: where it is, exactly.
-  bool complete(int u, int v, const Eigen::Vector2d &meter, FitPixel &pixel) const
+  bool complete(int u, int v, const Eigen::Vector2d &meter, FitPixel &pixel)
   {
     const ModelPixel model = {meter, pixel.meterPerPixel.cast<double>()};
     const Eigen::Vector2d fromMiddle = Eigen::Vector2d(u, v) - m_middle;
@@ -71,15 +69,14 @@ public:
         continue;
       }
       for (std::size_t shape = 0; shape < paperShapes; ++shape) {
-        const Surround &surround = m_surrounds[shape];
         const double share = shareBeyond(point, m_papers[shape], m_blur).share;
         if (share > mostSurround) {
           return false;
         }
         BeyondPaper &beyond = pixel.beyond[shape];
         if (share > std::max(static_cast<double>(beyond.share), leastSurround)) {
-          const unsigned int direction = Surround::directionOf(point.q);
-          beyond = {static_cast<float>(share), surround.grey[direction], surround.spread[direction]};
+          const Ground &ground = m_surrounds[shape].toward(Surround::directionOf(point.q));
+          beyond = {static_cast<float>(share), ground.grey, ground.spread};
         }
       }
     }
