@@ -89,7 +89,7 @@ struct Lattice
   int slant;
 };
 
-// Adds pixels, with what the model needs of each.
+// Adds pixels, row by row, with what the model needs of each.
 class PixelAdder
 {
 public:
@@ -101,18 +101,26 @@ public:
   {
   }
 
-  void add(int u, int v, const Eigen::Matrix2f &meterPerPixel)
+  // Goes to a row.
+  void enter(int v)
   {
-    const Eigen::Vector2d meter =
-        m_isLinear ? Eigen::Vector2d(m_corner.x() + u * m_perPixel.x(), m_corner.y() + v * m_perPixel.y())
-                   : m_camera.toMeter(Eigen::Vector2d(u, v));
+    m_row = v;
+    m_greys = m_image[static_cast<unsigned int>(v)];
+    m_meterY = m_corner.y() + v * m_perPixel.y();
+    m_offsetY = static_cast<float>(m_perSize * (v - m_frame.center.y()));
+  }
+
+  // Adds the pixel of a column of the row.
+  void add(int u, const Eigen::Matrix2f &meterPerPixel)
+  {
+    const Eigen::Vector2d meter = m_isLinear ? Eigen::Vector2d(m_corner.x() + u * m_perPixel.x(), m_meterY)
+                                             : m_camera.toMeter(Eigen::Vector2d(u, m_row));
     FitPixel &pixel = m_pixels.emplace_back();
-    pixel.meter = meter.cast<float>();
     pixel.meterPerPixel = meterPerPixel;
-    pixel.offset << static_cast<float>(m_perSize * (u - m_frame.center.x())),
-        static_cast<float>(m_perSize * (v - m_frame.center.y()));
-    pixel.grey = m_image[v][u];
-    if (m_surround.isNear() && !m_surround.complete(u, v, meter, pixel)) {
+    pixel.meter = meter.cast<float>();
+    pixel.offset << static_cast<float>(m_perSize * (u - m_frame.center.x())), m_offsetY;
+    pixel.grey = m_greys[u];
+    if (m_surround.isNear() && !m_surround.complete(u, m_row, meter, pixel)) {
       m_pixels.pop_back();
     }
   }
@@ -120,36 +128,37 @@ public:
 private:
   const vpImage<unsigned char> &m_image;
   const CameraModel &m_camera;
-  const ImageFrame &m_frame;
+  const ImageFrame m_frame;
   SurroundShare &m_surround;
   std::vector<FitPixel> &m_pixels;
   const double m_perSize;
   const bool m_isLinear;
   const Eigen::Vector2d m_corner;   // normalised coordinates
   const Eigen::Vector2d m_perPixel; // of these, if linear
+  int m_row = 0;
+  const unsigned char *m_greys = nullptr; // the row's
+  double m_meterY = 0.;                   // the row's, if linear
+  float m_offsetY = 0.f;                  // the row's
 };
 
 using Hypotheses = std::array<TileView, mostHypotheses>;
 
-// Calls visit(u, v) for the pixels of the tile that the hypotheses look at, as far as the box reaches, that are nearer
-// than the band is wide to an edge in any of them.
+// Calls visit(v, columns) for each row of the tile that the hypotheses look at, as far as the box reaches: its columns,
+// from the tile's first, that are nearer than the band is wide to an edge in any of them.
 template <class Visit>
-void forEachNear(const Hypotheses &hypotheses, std::size_t count, int left, int top, const PixelBox &box, double band,
-                 const Visit &visit)
+void forEachRow(const Hypotheses &hypotheses, std::size_t count, int left, int top, const PixelBox &box, double band,
+                const Visit &visit)
 {
-  const int right = std::min(left + laneCount, box.right);
   for (int v = top; v < std::min(top + laneCount, box.bottom); ++v) {
     Lanes distance = Lanes::Constant(HUGE_VALF);
     for (std::size_t i = 0; i < count; ++i) {
       distance = distance.min(hypotheses[i].distances(v - top - tileHalf));
     }
-    const LaneList chosen = lanesBelow(distance, static_cast<float>(band));
-    for (int k = 0; k < chosen.count; ++k) {
-      const int u = left + chosen.lanes[static_cast<std::size_t>(k)];
-      if (u < right) {
-        visit(u, v);
-      }
+    LaneList columns = lanesBelow(distance, static_cast<float>(band));
+    while (columns.count > 0 && left + columns.lanes[static_cast<std::size_t>(columns.count - 1)] >= box.right) {
+      --columns.count;
     }
+    visit(v, columns);
   }
 }
 } // namespace
@@ -189,12 +198,17 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
       surround.enter(middle, hypotheses);
       const Eigen::Matrix2f derivative = tile.meterPerPixel.cast<float>();
       if (!isNear) {
-        adder.add(left, top, derivative);
+        adder.enter(top);
+        adder.add(left, derivative);
         continue;
       }
-      forEachNear(hypotheses, count, left, top, box, band, [&](int u, int v) {
-        if (lattice.holds(u, v)) {
-          adder.add(u, v, derivative);
+      forEachRow(hypotheses, count, left, top, box, band, [&](int v, const LaneList &columns) {
+        adder.enter(v);
+        for (int k = 0; k < columns.count; ++k) {
+          const int u = left + columns.lanes[static_cast<std::size_t>(k)];
+          if (lattice.holds(u, v)) {
+            adder.add(u, derivative);
+          }
         }
       });
     }

@@ -154,21 +154,7 @@ public:
       const Lanes bins = binOf(sight, direction, group).max(0.f).min(lastBin);
       writeBytes(bins, &m_blocks.bins[first]);
     }
-    std::array<unsigned int, firstBin[pixelSights] + 1> start = {};
-    for (std::size_t k = 0; k < m_pixels.size(); ++k) {
-      ++start[static_cast<std::size_t>(m_blocks.bins[k]) + 1];
-    }
-    for (std::size_t bin = 1; bin < start.size(); ++bin) {
-      start[bin] += start[bin - 1];
-    }
-    for (std::size_t kind = 0; kind < pixelSights; ++kind) {
-      m_blocks.count[kind] =
-          start[static_cast<std::size_t>(firstBin[kind + 1])] - start[static_cast<std::size_t>(firstBin[kind])];
-    }
-    m_blocks.sortedPixels.resize(m_pixels.size());
-    for (std::size_t k = 0; k < m_pixels.size(); ++k) {
-      m_blocks.sortedPixels[start[m_blocks.bins[k]]++] = static_cast<unsigned int>(k);
-    }
+    sortByBins();
   }
 
   // Fills the blocks.
@@ -193,6 +179,47 @@ public:
   }
 
 private:
+  // Puts the pixels in the order of their bins, those of one bin as they come. Neighbours mostly have one bin, and each
+  // waits for the one before to be counted: so both halves of the pixels go side by side.
+  void sortByBins()
+  {
+    constexpr auto bins = static_cast<std::size_t>(firstBin[pixelSights]);
+    const std::size_t half = m_pixels.size() / 2;
+    std::array<std::array<unsigned int, bins>, 2> next = {}; // of either half: how many, then where the next one goes
+    const unsigned char *const ofFirst = m_blocks.bins.data();
+    const unsigned char *const ofSecond = ofFirst + half;
+    for (std::size_t k = 0; k < half; ++k) {
+      ++next[0][ofFirst[k]];
+      ++next[1][ofSecond[k]];
+    }
+    const bool isOdd = m_pixels.size() % 2 != 0;
+    if (isOdd) {
+      ++next[1][ofSecond[half]];
+    }
+    unsigned int start = 0;
+    std::size_t bin = 0;
+    for (std::size_t kind = 0; kind < pixelSights; ++kind) {
+      const unsigned int before = start;
+      for (; bin < static_cast<std::size_t>(firstBin[kind + 1]); ++bin) {
+        const std::array<unsigned int, 2> counts = {next[0][bin], next[1][bin]};
+        next[0][bin] = start;
+        next[1][bin] = start + counts[0];
+        start += counts[0] + counts[1];
+      }
+      m_blocks.count[kind] = start - before;
+    }
+    m_blocks.sortedPixels.resize(m_pixels.size());
+    unsigned int *const sorted = m_blocks.sortedPixels.data();
+    const auto second = static_cast<unsigned int>(half);
+    for (unsigned int k = 0; k < second; ++k) {
+      sorted[next[0][ofFirst[k]]++] = k;
+      sorted[next[1][ofSecond[k]]++] = second + k;
+    }
+    if (isOdd) {
+      sorted[next[1][ofSecond[half]]++] = 2 * second;
+    }
+  }
+
   // Which edges pixels may see, as binOf() counts them.
   Lanes groupOf(const Lanes &sight, const Lanes &radius, const Lanes &margin, const Lanes &angle) const
   {
