@@ -66,6 +66,13 @@ struct EllipseMemory
     std::size_t asked = 0; //!< Of the known outlines, so many were asked whether it is inside of them.
     bool isInside = false; //!< Whether it is inside of one of these.
   };
+  /*! A ring between two dots. */
+  struct DotRing
+  {
+    std::size_t one = 0; //!< Places of the dots.
+    std::size_t other = 0;
+    EllipseParameters ellipse; //!< Its outer edge.
+  };
   /*! Working memory of one thread. */
   struct Workspace
   {
@@ -74,6 +81,7 @@ struct EllipseMemory
     std::vector<ConvexArc> arcs;
     ReusedList<EdgeCap> caps;
     std::vector<DarkDot> dots;
+    std::vector<DotRing> rings;
     ReusedList<LooseArc> loose;
     ReusedList<Proposal> proposals;
     std::vector<Refusal> refusals;
@@ -86,7 +94,8 @@ struct EllipseMemory
   std::vector<CapOutlook> outlooks;  //!< Theirs.
   std::vector<Around> around;        //!< One per cap.
   std::vector<DarkDot> dots;         //!< Of all workspaces.
-  EllipseCandidate ofDots;           //!< The outline that two of them make.
+  std::vector<DotRing> rings;        //!< Between these.
+  EllipseCandidate ofDots;           //!< The outline of one of them.
   KnownOutlines known;
   bool keepsRefusals = false; //!< Whether refusals are kept, to be shown.
 };

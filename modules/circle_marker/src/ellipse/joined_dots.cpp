@@ -63,6 +63,33 @@ void findAll(const EllipseSearch &search, Workers &workers)
   });
 }
 
+// The rings between two dots, in the order of the dots: of no ring it matters which others are known.
+void findRings(const EllipseSearch &search, Workers &workers)
+{
+  using DotRing = EllipseMemory::DotRing;
+  const std::vector<DarkDot> &dots = search.memory.dots;
+  for (EllipseMemory::Workspace &workspace : search.memory.workspaces) {
+    workspace.rings.clear();
+  }
+  workers.run(dots.size(), [&](std::size_t i, unsigned int worker) {
+    if (search.deadline.hasPassed()) {
+      return;
+    }
+    for (std::size_t j = i + 1; j < dots.size() && dots[j].place.y() - dots[i].place.y() <= farthestDots; ++j) {
+      if (const auto ring = ringBetween(search.I, dots[i], dots[j], search.sought.thinRing)) {
+        search.memory.workspaces[worker].rings.push_back({i, j, *ring});
+      }
+    }
+  });
+  std::vector<DotRing> &rings = search.memory.rings;
+  rings.clear();
+  for (const EllipseMemory::Workspace &workspace : search.memory.workspaces) {
+    rings.insert(rings.end(), workspace.rings.begin(), workspace.rings.end());
+  }
+  std::sort(rings.begin(), rings.end(),
+            [](const DotRing &p, const DotRing &q) { return p.one != q.one ? p.one < q.one : p.other < q.other; });
+}
+
 // Whether a ring, and what is beside it, is inside of an outline that is found: then it is a piece of its code.
 bool isInside(const KnownOutlines &known, const EllipseParameters &ring)
 {
@@ -77,19 +104,18 @@ void joinDots(const EllipseSearch &search, Workers &workers)
     return;
   }
   findAll(search, workers);
-  const std::vector<DarkDot> &dots = search.memory.dots;
-  if (dots.size() > fewestDots + search.I.getSize() / pixelsForDot) {
+  if (search.memory.dots.size() > fewestDots + search.I.getSize() / pixelsForDot) {
     return;
   }
+  findRings(search, workers);
   EllipseCandidate &candidate = search.memory.ofDots;
-  for (std::size_t i = 0; i < dots.size() && !search.deadline.hasPassed(); ++i) {
-    for (std::size_t j = i + 1; j < dots.size() && dots[j].place.y() - dots[i].place.y() <= farthestDots; ++j) {
-      const auto ring = ringBetween(search.I, dots[i], dots[j], search.sought.thinRing);
-      if (!ring || isInside(search.memory.known, *ring)) {
-        continue;
-      }
+  for (const EllipseMemory::DotRing &ring : search.memory.rings) {
+    if (search.deadline.hasPassed()) {
+      return;
+    }
+    if (!isInside(search.memory.known, ring.ellipse)) {
       candidate.isThin = true;
-      setOutline(*ring, pointsOfOutline, candidate);
+      setOutline(ring.ellipse, pointsOfOutline, candidate);
       candidate.contrast = medianContrast(search.I, candidate);
       search.memory.known.take(candidate);
     }
