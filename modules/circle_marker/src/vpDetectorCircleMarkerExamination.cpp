@@ -46,7 +46,9 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
   m_examinations.assign(outlines.size(), Examination());
   m_measured.clear();
   m_doubts = Trials();
+  m_doubts.mostInVain = mostDoubtsInVain;
   m_covered = Trials();
+  m_covered.mostInVain = mostCoveredInVain;
   listAttempts(settings.families, m_attempts);
   allowBlurred(visit, outlines);
   bool isOver = false;
@@ -132,7 +134,7 @@ void vpDetectorCircleMarker::Impl::refuse(Examination &examination) const
 /*!
   The chosen outlines through the room refine. To tell whether one in doubt is a marker takes some milliseconds, and a
   page of text has hundreds that look like one: those that look most like their code are measured first, a few at a
-  time, until there were too many that are none. Then the same with the rings of covered ones.
+  time, until there were too many that are none. The same with the rings of covered ones.
 */
 void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outlines &outlines)
 {
@@ -146,41 +148,61 @@ void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outli
     return std::make_tuple(group, group > 0 ? -marker.code.margin : 0., i);
   };
   std::sort(m_chosen.begin(), m_chosen.end(), [&](std::size_t i, std::size_t j) { return rankOf(i) < rankOf(j); });
-  const auto isInDoubt = [&](std::size_t i) { return std::get<0>(rankOf(i)) > 0; };
-  const auto isCovered = [this](std::size_t i) { return isCoveredRing(m_examinations[i]); };
-  const auto doubts = std::find_if(m_chosen.begin(), m_chosen.end(), isInDoubt) - m_chosen.begin();
-  const auto covered = std::find_if(m_chosen.begin(), m_chosen.end(), isCovered) - m_chosen.begin();
-  const auto certain = static_cast<std::size_t>(doubts);
-  measureTogether(visit, outlines, 0, certain);
-  measureInDoubt(visit, outlines, certain, static_cast<std::size_t>(covered), mostDoubtsInVain, m_doubts);
-  measureInDoubt(visit, outlines, static_cast<std::size_t>(covered), m_chosen.size(), mostCoveredInVain, m_covered);
+  const auto firstOf = [&](int group) {
+    const auto isThere = [&](std::size_t i) { return std::get<0>(rankOf(i)) >= group; };
+    return static_cast<std::size_t>(std::find_if(m_chosen.begin(), m_chosen.end(), isThere) - m_chosen.begin());
+  };
+  m_doubts.begin = firstOf(1);
+  m_doubts.end = m_covered.begin = firstOf(2);
+  m_covered.end = m_chosen.size();
+  // All kinds at once: kind by kind, threads would wait for the last one of each.
+  m_together.assign(m_chosen.begin(), m_chosen.begin() + static_cast<std::ptrdiff_t>(m_doubts.begin));
+  do {
+    takeNext(m_doubts);
+    takeNext(m_covered);
+    measureTogether(visit, outlines);
+    countTaken(m_doubts);
+    countTaken(m_covered);
+    m_together.clear();
+  } while (m_doubts.taken + m_covered.taken > 0);
+  passOver(m_doubts);
+  passOver(m_covered);
 }
 
-/*! Chosen outlines through the room refine, until too many of their kind were none. */
-void vpDetectorCircleMarker::Impl::measureInDoubt(const Visit &visit, const Outlines &outlines, std::size_t begin,
-                                                  std::size_t end, std::size_t mostInVain, Trials &trials)
+/*!
+  The next few of a kind are to be measured; none, if too many were none. Whatever the number of threads, so many: what
+  is measured does not depend on it.
+*/
+void vpDetectorCircleMarker::Impl::takeNext(Trials &trials)
 {
-  // Whatever the number of threads, so many: what is measured does not depend on it.
-  while (begin < end && trials.inVain < mostInVain + doubtsForEachProven * trials.proven) {
-    const std::size_t next = std::min(begin + doubtsAtOnce, end);
-    measureTogether(visit, outlines, begin, next);
-    for (; begin < next; ++begin) {
-      ++(m_examinations[m_chosen[begin]].isFound ? trials.proven : trials.inVain);
-    }
-  }
-  for (; begin < end; ++begin) {
-    m_examinations[m_chosen[begin]].refusal = vpCircleMarkerReject::TOO_MANY;
+  const bool isOver = trials.inVain >= trials.mostInVain + doubtsForEachProven * trials.proven;
+  trials.taken = isOver ? 0 : std::min(doubtsAtOnce, trials.end - trials.begin);
+  const auto first = m_chosen.begin() + static_cast<std::ptrdiff_t>(trials.begin);
+  m_together.insert(m_together.end(), first, first + static_cast<std::ptrdiff_t>(trials.taken));
+}
+
+/*! They were measured. */
+void vpDetectorCircleMarker::Impl::countTaken(Trials &trials)
+{
+  for (const std::size_t end = trials.begin + trials.taken; trials.begin < end; ++trials.begin) {
+    ++(m_examinations[m_chosen[trials.begin]].isFound ? trials.proven : trials.inVain);
   }
 }
 
-/*! Chosen outlines through the room refine, on all threads. */
-void vpDetectorCircleMarker::Impl::measureTogether(const Visit &visit, const Outlines &outlines, std::size_t begin,
-                                                   std::size_t end)
+/*! Those that are left of a kind are not measured. */
+void vpDetectorCircleMarker::Impl::passOver(Trials &trials)
 {
-  m_workers.run(end - begin, [&](std::size_t task, unsigned int worker) {
-    const std::size_t k = begin + task;
-    Examination &examination = m_examinations[m_chosen[k]];
-    const EllipseCandidate &outline = outlines[m_chosen[k]];
+  for (; trials.begin < trials.end; ++trials.begin) {
+    m_examinations[m_chosen[trials.begin]].refusal = vpCircleMarkerReject::TOO_MANY;
+  }
+}
+
+/*! Those that were taken through the room refine, on all threads. */
+void vpDetectorCircleMarker::Impl::measureTogether(const Visit &visit, const Outlines &outlines)
+{
+  m_workers.run(m_together.size(), [&](std::size_t k, unsigned int worker) {
+    Examination &examination = m_examinations[m_together[k]];
+    const EllipseCandidate &outline = outlines[m_together[k]];
     Workspace &workspace = m_workspaces[worker];
     if (visit.deadline.hasPassed() ||
         (isCoveredRing(examination) && !readCovered(visit, outline, workspace, examination))) {

@@ -92,11 +92,15 @@ private:
     vpCircleMarkerReject refusal = vpCircleMarkerReject::NONE; //!< Why what it was read as is none, once that is known.
     std::vector<vpCircleMarkerCandidate> candidates;           //!< What it was tried as, if that is to be shown.
   };
-  /*! How many outlines of a kind were measured so far that were none, and that were a marker. */
+  /*! Outlines of a kind that may be none: a few are measured at a time, until there were too many that are none. */
   struct Trials
   {
-    std::size_t inVain = 0;
-    std::size_t proven = 0;
+    std::size_t mostInVain = 0; //!< That are none, before the others are passed over.
+    std::size_t inVain = 0;     //!< Measured so far that were none.
+    std::size_t proven = 0;     //!< And that were a marker.
+    std::size_t begin = 0;      //!< Those that are left, among the chosen ones.
+    std::size_t end = 0;
+    std::size_t taken = 0; //!< The first of these, so many, are being measured.
   };
   /*! What the room refine tells of a marker besides its measurement. */
   struct Fit
@@ -176,9 +180,10 @@ private:
   void choose(const Visit &visit, const Outlines &outlines);
   void reserve(const circle_marker::EllipseCandidate &outline, const Examination &examination);
   void measureChosen(const Visit &visit, const Outlines &outlines);
-  void measureTogether(const Visit &visit, const Outlines &outlines, std::size_t begin, std::size_t end);
-  void measureInDoubt(const Visit &visit, const Outlines &outlines, std::size_t begin, std::size_t end,
-                      std::size_t mostInVain, Trials &trials);
+  void measureTogether(const Visit &visit, const Outlines &outlines);
+  void takeNext(Trials &trials);
+  void countTaken(Trials &trials);
+  void passOver(Trials &trials);
   void refuse(Examination &examination) const;
   bool settleChosen();
   void keepSeen(const Outlines &outlines);
@@ -204,9 +209,10 @@ private:
   circle_marker::ReusedList<Found> m_measured;        //!< What was measured of outlines.
   std::vector<circle_marker::Attempt> m_attempts;     //!< The ways to read an outline.
   std::vector<std::size_t> m_chosen;                  //!< Outlines to be read or measured together.
+  circle_marker::MarkerPlaces m_chosenPlaces;         //!< Where they are.
+  std::vector<std::size_t> m_together;                //!< Those of them that are measured at once.
   Trials m_doubts;                                    //!< Of the outlines whose code is in doubt.
   Trials m_covered;                                   //!< Of the rings that something covers.
-  circle_marker::MarkerPlaces m_chosenPlaces;         //!< Where they are.
   std::vector<Impl> m_inverse;       //!< What looks at the negative, if markers white on black are sought.
   vpImage<unsigned char> m_negative; //!< The negative.
 };
