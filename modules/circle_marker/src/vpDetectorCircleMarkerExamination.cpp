@@ -155,16 +155,22 @@ void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outli
   m_doubts.begin = firstOf(1);
   m_doubts.end = m_covered.begin = firstOf(2);
   m_covered.end = m_chosen.size();
-  // All kinds at once: kind by kind, threads would wait for the last one of each.
-  m_together.assign(m_chosen.begin(), m_chosen.begin() + static_cast<std::ptrdiff_t>(m_doubts.begin));
-  do {
-    takeNext(m_doubts);
-    takeNext(m_covered);
+  // All kinds at once: kind by kind, threads would wait for the last one of each. One in doubt takes as long as ten
+  // others, so it is begun first; unless time may run out, and the others would not be measured at all.
+  const bool isDoubtFirst = m_workers.getCount() > 1 && !visit.deadline.isSet();
+  m_together.clear();
+  takeNext(m_doubts);
+  takeNext(m_covered);
+  m_together.insert(isDoubtFirst ? m_together.end() : m_together.begin(), m_chosen.begin(),
+                    m_chosen.begin() + static_cast<std::ptrdiff_t>(m_doubts.begin));
+  while (!m_together.empty()) {
     measureTogether(visit, outlines);
     countTaken(m_doubts);
     countTaken(m_covered);
     m_together.clear();
-  } while (m_doubts.taken + m_covered.taken > 0);
+    takeNext(m_doubts);
+    takeNext(m_covered);
+  }
   passOver(m_doubts);
   passOver(m_covered);
 }

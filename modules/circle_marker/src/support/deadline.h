@@ -45,7 +45,10 @@ public:
     }
   }
 
-  bool hasPassed() const { return m_end != Clock::time_point::max() && Clock::now() > m_end; }
+  /*! Whether there is any end. */
+  bool isSet() const { return m_end != Clock::time_point::max(); }
+
+  bool hasPassed() const { return isSet() && Clock::now() > m_end; }
 
 private:
   Clock::time_point m_end = Clock::time_point::max(); //!< When the work has to end.
