@@ -17,6 +17,8 @@
 
 #include "detector_scenes.h"
 
+#include <Eigen/Geometry>
+
 using namespace detector_test;
 
 namespace {
@@ -46,6 +48,24 @@ vpCameraParameters doubtful(Random &random)
   vpCameraParameters camera;
   camera.initPersProjWithoutDistortion(f, f, u0, right.get_v0() + centerDeviation * normal(random));
   return camera;
+}
+
+//! Of a marker's place: a pose that is wrong by a twist (v, w) in the camera frame has it wrong by v + w x place.
+Eigen::Matrix3d placeCovariance(const vpMatrix &covariance, const vpHomogeneousMatrix &cMo)
+{
+  const Eigen::Vector3d place = translationOf(cMo);
+  Eigen::Matrix<double, 3, 6> byTwist;
+  byTwist.leftCols<3>().setIdentity();
+  for (int k = 0; k < 3; ++k) {
+    byTwist.col(3 + k) = Eigen::Vector3d::Unit(k).cross(place);
+  }
+  Eigen::Matrix<double, 6, 6> ofTwist;
+  for (unsigned int row = 0; row < 6; ++row) {
+    for (unsigned int column = 0; column < 6; ++column) {
+      ofTwist(row, column) = covariance[row][column];
+    }
+  }
+  return byTwist * ofTwist * byTwist.transpose();
 }
 } // namespace
 
@@ -77,6 +97,43 @@ TEST(DetectorCameraCovariance, IsAPartOfEveryCovariance)
     EXPECT_NEAR(told / count, dof, 3.5 * std::sqrt(2. * dof / count)) << family.getName();
     EXPECT_GT(untold / count, 100. * dof) << family.getName();
   }
+}
+
+// By hand, near the image's middle: the depth is as wrong as the focal length, the place across as the principal point,
+// at whichever of the poses.
+TEST(DetectorCameraCovariance, IsAPartOfTheSecondPosesToo)
+{
+  Random random = randomOfTest();
+  int seconds = 0;
+  for (int i = 0; i < 20; ++i) {
+    const vpHomogeneousMatrix truth = randomPose(random, uniform(random, 30., 45.), uniform(random, 0.4, 0.8),
+                                                 uniform(random, 280., 360.), uniform(random, 200., 280.));
+    const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+    const vpImage<unsigned char> I = imageOf(printed(family, randomId(random, family)).setPose(truth), random);
+    vpDetectorCircleMarker detector(family);
+    std::vector<vpHomogeneousMatrix> cMo;
+    ASSERT_TRUE(detector.detect(I, size, straightCamera(), cMo));
+    const vpCircleMarkerDetection untold = detector.getDetections()[0];
+    detector.setCameraCovariance(stated());
+    ASSERT_TRUE(detector.detect(I, size, straightCamera(), cMo));
+    const vpCircleMarkerDetection told = detector.getDetections()[0];
+    ASSERT_EQ(told.hasSecondPose, untold.hasSecondPose);
+    if (!told.hasSecondPose) {
+      continue;
+    }
+    ++seconds;
+    const Eigen::Matrix3d added =
+        placeCovariance(told.covariance2, told.cMo2) - placeCovariance(untold.covariance2, untold.cMo2);
+    const double depth = told.cMo2[2][3];
+    const double along = std::pow(depth * focalDeviation / focal, 2.);
+    const double across = std::pow(depth * centerDeviation / focal, 2.);
+    EXPECT_NEAR(added(2, 2), along, 0.15 * along);
+    for (unsigned int axis = 0; axis < 2; ++axis) { // what the focal length does there depends on how far out it is
+      const double outward = std::pow(told.cMo2[axis][3] * focalDeviation / focal, 2.);
+      EXPECT_NEAR(added(axis, axis), across, 0.15 * across + outward);
+    }
+  }
+  EXPECT_GE(seconds, 10);
 }
 
 TEST(DetectorCameraCovariance, IsKeptAndTakenBack)
