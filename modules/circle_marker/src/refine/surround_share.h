@@ -98,7 +98,7 @@ public:
 
 private:
   // What a tile's pixels see of a hypothesis, to first order around its centre.
-  struct Tile
+  struct LinearTile
   {
     Eigen::Vector2d q;       // of the plane, in the centre
     Eigen::Matrix2d byPixel; // derivative of q with respect to the pixel
@@ -106,14 +106,14 @@ private:
   };
 
   // Most pixels of a tile that is near are: their exact place is not asked for.
-  static bool isClearlyInside(const Tile &tile, const Eigen::Vector2d &fromMiddle)
+  static bool isClearlyInside(const LinearTile &tile, const Eigen::Vector2d &fromMiddle)
   {
     return tile.clear > 0. && (tile.q + tile.byPixel * fromMiddle).squaredNorm() < tile.clear * tile.clear;
   }
 
   bool m_isNear = true;
   Eigen::Vector2d m_middle = Eigen::Vector2d::Zero(); // of the tile, pixels
-  std::array<Tile, mostHypotheses> m_tiles;           // as each hypothesis sees it
+  std::array<LinearTile, mostHypotheses> m_tiles;     // as each hypothesis sees it
   const MarkerPlane *m_planes;
   const std::size_t m_count;
   const double m_outermost;
