@@ -155,13 +155,13 @@ void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outli
   m_doubts.begin = firstOf(1);
   m_doubts.end = m_covered.begin = firstOf(2);
   m_covered.end = m_chosen.size();
-  // All kinds at once: kind by kind, threads would wait for the last one of each. One in doubt takes as long as ten
-  // others, so it is begun first; unless time may run out, and the others would not be measured at all.
-  const bool isDoubtFirst = m_workers.getCount() > 1 && !visit.deadline.isSet();
+  // All kinds at once: kind by kind, threads would wait for the last one of each. One that may be none takes as long as
+  // ten others, so it is begun first; unless time may run out, and the others would not be measured at all.
+  const bool areLongestFirst = m_workers.getCount() > 1 && !visit.deadline.isSet();
   m_together.clear();
   takeNext(m_doubts);
   takeNext(m_covered);
-  m_together.insert(isDoubtFirst ? m_together.end() : m_together.begin(), m_chosen.begin(),
+  m_together.insert(areLongestFirst ? m_together.end() : m_together.begin(), m_chosen.begin(),
                     m_chosen.begin() + static_cast<std::ptrdiff_t>(m_doubts.begin));
   while (!m_together.empty()) {
     measureTogether(visit, outlines);

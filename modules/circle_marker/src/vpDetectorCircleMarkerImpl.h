@@ -95,7 +95,7 @@ private:
   /*! Outlines of a kind that may be none: a few are measured at a time, until there were too many that are none. */
   struct Trials
   {
-    std::size_t mostInVain = 0; //!< That are none, before the others are passed over.
+    std::size_t mostInVain = 0; //!< That are none, before the others are passed over; more, the more are proven.
     std::size_t inVain = 0;     //!< Measured so far that were none.
     std::size_t proven = 0;     //!< And that were a marker.
     std::size_t begin = 0;      //!< Those that are left, among the chosen ones.

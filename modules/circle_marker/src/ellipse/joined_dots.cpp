@@ -63,7 +63,7 @@ void findAll(const EllipseSearch &search, Workers &workers)
   });
 }
 
-// The rings between two dots, in the order of the dots: of no ring it matters which others are known.
+// The rings between two dots, in the order of the dots. What a pair gives does not depend on what is known.
 void findRings(const EllipseSearch &search, Workers &workers)
 {
   using DotRing = EllipseMemory::DotRing;

@@ -53,7 +53,7 @@ struct FitPixel
   /*! Whether it may see anything that lies beyond the paper. */
   bool seesSurround() const { return beyond[0].share > 0.f || beyond[1].share > 0.f; }
 
-  // The one that is aligned comes first: so a pixel fills one line of the cache, not one and a quarter.
+  // The one that is aligned comes first: so a pixel is as long as a line of the cache, not a quarter longer.
   Eigen::Matrix2f meterPerPixel = Eigen::Matrix2f::Zero(); //!< Derivative of \e meter with respect to the pixel.
   Eigen::Vector2f meter = Eigen::Vector2f::Zero();         //!< Normalised coordinates of its centre.
   Eigen::Vector2f offset = Eigen::Vector2f::Zero();        //!< In the coordinates of an ImageFrame: for the light.

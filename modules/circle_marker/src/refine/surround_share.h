@@ -34,8 +34,10 @@ namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 // A pixel that may see more than this share of what lies beyond the quiet zone is not used.
 constexpr double mostSurround = 0.9;
-// Within a tile the plane to first order is off by less than this, pixels: at 70 degrees, through a lens of 600 pixels,
-// by 0.1 in its corners.
+// What a tile's pixels see to first order around its centre is off by less than this, pixels: at 70 degrees and a focal
+// length of 600 pixels their place is by 0.1, in its corners, and how far a blur of 6 pixels reaches by 0.9. With a
+// shorter one, or farther aslant, a pixel is passed over of which a share of 0.003 at most lies beyond the paper: at 75
+// degrees, 300 pixels and such a blur.
 constexpr double firstOrderError = 1.;
 // Hypotheses that are served.
 constexpr std::size_t mostHypotheses = 2;
@@ -97,7 +99,7 @@ public:
   }
 
 private:
-  // What a tile's pixels see of a hypothesis, to first order around its centre.
+  // Where a tile's pixels lie on a hypothesis's plane, to first order around its centre.
   struct LinearTile
   {
     Eigen::Vector2d q;       // of the plane, in the centre
