@@ -59,12 +59,7 @@ Eigen::Matrix3d placeCovariance(const vpMatrix &covariance, const vpHomogeneousM
   for (int k = 0; k < 3; ++k) {
     byTwist.col(3 + k) = Eigen::Vector3d::Unit(k).cross(place);
   }
-  Eigen::Matrix<double, 6, 6> ofTwist;
-  for (unsigned int row = 0; row < 6; ++row) {
-    for (unsigned int column = 0; column < 6; ++column) {
-      ofTwist(row, column) = covariance[row][column];
-    }
-  }
+  const Eigen::Map<const Eigen::Matrix<double, 6, 6>> ofTwist(covariance.data); // symmetric: by rows or columns
   return byTwist * ofTwist * byTwist.transpose();
 }
 } // namespace
@@ -127,8 +122,8 @@ TEST(DetectorCameraCovariance, IsAPartOfTheSecondPosesToo)
     const double depth = told.cMo2[2][3];
     const double along = std::pow(depth * focalDeviation / focal, 2.);
     const double across = std::pow(depth * centerDeviation / focal, 2.);
-    // The radius is a fortieth of the depth: by as much the front and the back of it see the camera otherwise, and their
-    // squares by twice as much.
+    // The radius is a fortieth of the depth: by as much the front and the back of it see the camera otherwise, and
+    // their squares by twice as much.
     EXPECT_NEAR(added(0, 0), across, 0.1 * across);
     EXPECT_NEAR(added(1, 1), across, 0.1 * across);
     EXPECT_NEAR(added(2, 2), along, 0.1 * along);

@@ -12,14 +12,12 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Tests of the detector's account of what its rooms see, and why candidates are no markers.
+ * Tests of the detector's account of what its rooms see.
  */
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
-#include <set>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
@@ -30,28 +28,9 @@ using namespace detector_test;
 using Reject = vpCircleMarkerReject;
 
 namespace {
-vpImage<unsigned char> sheet(unsigned char grey = 220)
-{
-  return vpImage<unsigned char>(height, width, grey);
-}
-
 cv::Mat pixelsOf(vpImage<unsigned char> &I)
 {
   return cv::Mat(static_cast<int>(I.getHeight()), static_cast<int>(I.getWidth()), CV_8U, I.bitmap);
-}
-
-//! Reasons of the outlines around a point, latest last; of chains there, if there is no outline.
-std::set<Reject> reasonsAt(const vpDetectorCircleMarker &detector, double u, double v)
-{
-  std::set<Reject> outlines, chains;
-  for (const vpCircleMarkerCandidate &candidate : detector.getRejectedCandidates()) {
-    const vpImagePoint place = candidate.ellipse.a > 0. ? candidate.ellipse.center : candidate.points.front();
-    const double reach = candidate.ellipse.a > 0. ? 5. : 120.;
-    if (vpImagePoint::distance(place, vpImagePoint(v, u)) < reach) {
-      (candidate.isOutline ? outlines : chains).insert(candidate.reason);
-    }
-  }
-  return outlines.empty() ? chains : outlines;
 }
 
 //! How many candidates have which reason, where the marker of an id is found and no other, on so many threads.
@@ -71,26 +50,6 @@ std::map<Reject, unsigned int> countsOf(const vpImage<unsigned char> &I, int id,
 
 constexpr double middleU = 320.;
 constexpr double middleV = 240.;
-
-//! Reasons for what is drawn in the middle of a white sheet.
-template <class Draw> std::set<Reject> reasonsFor(vpDetectorCircleMarker &detector, const Draw &draw)
-{
-  vpImage<unsigned char> I = sheet();
-  cv::Mat pixels = pixelsOf(I);
-  draw(pixels);
-  cv::GaussianBlur(pixels, pixels, cv::Size(), 0.7);
-  detector.setDebug(true);
-  detector.detect(I);
-  return reasonsAt(detector, middleU, middleV);
-}
-
-const cv::Point middle(320, 240);
-
-void drawRing(cv::Mat &pixels, int outer, int inner, int ink = 30, int inside = 220)
-{
-  cv::circle(pixels, middle, outer, cv::Scalar(ink), cv::FILLED, cv::LINE_AA);
-  cv::circle(pixels, middle, inner, cv::Scalar(inside), cv::FILLED, cv::LINE_AA);
-}
 } // namespace
 
 TEST(DetectorDebug, NothingIsKeptUnlessAsked)
@@ -286,142 +245,4 @@ TEST(DetectorDebug, APageOfRingsIsNotMeasuredRingByRing)
   std::map<Reject, unsigned int> counts = countsOf(I, 5, 1);
   EXPECT_EQ(counts, countsOf(I, 5, 2));
   EXPECT_GT(counts[Reject::TOO_MANY], 5u); // not all things are read as rings that something covers
-}
-
-TEST(DetectorDebug, ReasonsOfThingsThatAreNoMarkers)
-{
-  vpDetectorCircleMarker coded;
-  vpDetectorCircleMarker ring(vpCircleMarkerFamily::RING);
-  vpDetectorCircleMarker disc(vpCircleMarkerFamily::DISC);
-  const auto square = [](cv::Mat &pixels) {
-    cv::rectangle(pixels, middle - cv::Point(40, 40), middle + cv::Point(40, 40), cv::Scalar(30), 8);
-  };
-  for (const Reject reason : reasonsFor(coded, square)) {
-    EXPECT_TRUE(reason == Reject::BAD_FIT || reason == Reject::LITTLE_BEND || reason == Reject::NOT_AN_ELLIPSE ||
-                reason == Reject::BRIGHT_INSIDE || reason == Reject::LITTLE_SUPPORT)
-        << vpCircleMarkerRejectName(reason);
-  }
-  EXPECT_FALSE(reasonsFor(coded, square).empty());
-  const auto bright = [](cv::Mat &pixels) {
-    pixels = 30;
-    cv::circle(pixels, middle, 40, cv::Scalar(220), cv::FILLED, cv::LINE_AA);
-  };
-  EXPECT_EQ(reasonsFor(coded, bright).count(Reject::BRIGHT_INSIDE), 1u);
-  const auto blackDisc = [](cv::Mat &pixels) { drawRing(pixels, 40, 0, 30, 30); };
-  EXPECT_EQ(reasonsFor(coded, blackDisc).count(Reject::OTHER_CENTER), 1u);
-  const auto plainRing = [](cv::Mat &pixels) { drawRing(pixels, 40, 32); };
-  EXPECT_EQ(reasonsFor(coded, plainRing), std::set<Reject>({Reject::NO_SECTORS}));
-  const auto ofRing = [](int outer, int inner) {
-    return [outer, inner](cv::Mat &pixels) { drawRing(pixels, outer, inner); };
-  };
-  EXPECT_EQ(reasonsFor(ring, ofRing(3, 1)), std::set<Reject>({Reject::TOO_SMALL}));
-  EXPECT_EQ(reasonsFor(coded, ofRing(3, 2)), std::set<Reject>({Reject::TOO_SMALL}));
-  EXPECT_EQ(reasonsFor(ring, ofRing(5, 2)), std::set<Reject>({Reject::UNLIKE_THE_MODEL}));
-  EXPECT_EQ(reasonsFor(ring, ofRing(6, 3)).count(Reject::NO_RING), 1u) << "twice as thick as the family's";
-  EXPECT_EQ(reasonsFor(ring, ofRing(6, 4)), std::set<Reject>({Reject::KNOWN_OUTLINE})) << "found, and at half size";
-  disc.setFamilies({vpCircleMarkerFamily::DISC, vpCircleMarkerFamily::GOLAY23}); // both centres are looked at
-  const std::set<Reject> asDisc = reasonsFor(disc, plainRing);
-  EXPECT_EQ(asDisc.count(Reject::OTHER_SHAPE), 1u);
-  EXPECT_EQ(asDisc.count(Reject::NO_SECTORS), 1u);
-  const auto dented = [](cv::Mat &pixels) {
-    drawRing(pixels, 40, 32);
-    cv::circle(pixels, middle + cv::Point(-35, 0), 12, cv::Scalar(30), cv::FILLED, cv::LINE_AA);
-    cv::circle(pixels, middle + cv::Point(25, 15), 15, cv::Scalar(30), cv::FILLED, cv::LINE_AA);
-  };
-  EXPECT_EQ(reasonsFor(ring, dented).count(Reject::NOT_ALL_AROUND), 1u);
-  // A quarter of a ring lies beyond the image.
-  vpImage<unsigned char> I = sheet();
-  cv::Mat pixels = pixelsOf(I);
-  cv::circle(pixels, cv::Point(20, 240), 36, cv::Scalar(30), 8, cv::LINE_AA);
-  coded.detect(I);
-  EXPECT_EQ(reasonsAt(coded, 20., 240.), std::set<Reject>({Reject::OUT_OF_IMAGE}));
-}
-
-TEST(DetectorDebug, ACodeThatIsHalfCoveredHasALowMarginOrNoCodeword)
-{
-  Random random = randomOfTest();
-  vpImage<unsigned char> I = imageOf(
-      printed(vpCircleMarkerFamily::GOLAY23, 5).setPose(randomPose(random, 120., 0.1, middleU, middleV)), random);
-  vpDetectorCircleMarker detector;
-  ASSERT_TRUE(detector.detect(I));
-  detector.setMinimumMargin(1.);
-  detector.setDebug(true);
-  EXPECT_FALSE(detector.detect(I));
-  const std::vector<vpCircleMarkerCandidate> rejected = detector.getRejectedCandidates();
-  const auto low = std::find_if(rejected.begin(), rejected.end(), [](const vpCircleMarkerCandidate &candidate) {
-    return candidate.reason == Reject::LOW_MARGIN && candidate.id == 5;
-  });
-  ASSERT_NE(low, rejected.end());
-  EXPECT_NE(low->getText().find("low margin"), std::string::npos);
-  // White over the code of one half: the ring stays.
-  cv::Mat pixels = pixelsOf(I);
-  cv::ellipse(pixels, middle, cv::Size(39, 39), 0., 0., 180., cv::Scalar(225), cv::FILLED);
-  detector.setMinimumMargin(0.6);
-  EXPECT_FALSE(detector.detect(I));
-  const std::set<Reject> reasons = reasonsAt(detector, middleU, middleV);
-  EXPECT_TRUE(
-      reasons.count(Reject::NO_CODEWORD) + reasons.count(Reject::LOW_MARGIN) + reasons.count(Reject::NO_SECTORS) > 0u);
-}
-
-TEST(DetectorDebug, WithoutTimeTheReasonIsThat)
-{
-  vpImage<unsigned char> I = sheet();
-  cv::Mat pixels = pixelsOf(I);
-  for (int y = 14; y + 14 <= pixels.rows; y += 28) {
-    for (int x = 14; x + 14 <= pixels.cols; x += 28) {
-      cv::circle(pixels, cv::Point(x, y), 12, cv::Scalar(30), 2, cv::LINE_AA);
-    }
-  }
-  vpDetectorCircleMarker detector;
-  detector.setDebug(true);
-  detector.setTimeout(1);
-  bool isHasty = false;
-  for (int i = 0; i < 20 && !isHasty; ++i) { // a millisecond is enough on no machine, but the clock decides
-    detector.detect(I);
-    const std::vector<vpCircleMarkerCandidate> rejected = detector.getRejectedCandidates();
-    isHasty = rejected.empty() || std::any_of(rejected.begin(), rejected.end(), [](const vpCircleMarkerCandidate &c) {
-                return c.reason == Reject::TIMEOUT;
-              });
-  }
-  EXPECT_TRUE(isHasty);
-}
-
-// Whenever the time is over, nothing is said to lie inside of a marker that was not found.
-TEST(DetectorDebug, WithoutTimeNothingIsInsideOfWhatWasNotFound)
-{
-  Random random = randomOfTest();
-  vpMarkerSceneSimulator simulator(straightCamera(), width, height);
-  for (int i = 0; i < 12; ++i) {
-    const vpHomogeneousMatrix cMo =
-        randomPose(random, 100., 0.3, 80. + 160. * (i % 4), 80. + 160. * (i / 4)); // the centre, pixels
-    simulator.addMarker(printed(vpCircleMarkerFamily::GOLAY23, i).setPose(cMo));
-  }
-  vpImage<unsigned char> I;
-  simulator.render(I, random());
-  vpDetectorCircleMarker detector;
-  detector.setDebug(true);
-  for (int timeout = 1; timeout <= 12; ++timeout) { // milliseconds: the clock decides what is measured
-    detector.setTimeout(timeout);
-    detector.detect(I);
-    for (const vpCircleMarkerCandidate &candidate : detector.getRejectedCandidates()) {
-      if (candidate.reason == Reject::INSIDE_OF_A_MARKER) {
-        const auto &found = detector.getDetections();
-        EXPECT_TRUE(std::any_of(found.begin(), found.end(),
-                                [&](const vpCircleMarkerDetection &marker) {
-                                  return vpImagePoint::distance(marker.center, candidate.ellipse.center) < 60.;
-                                }))
-            << timeout << " ms";
-      }
-    }
-  }
-}
-
-TEST(DetectorDebug, EveryReasonHasAName)
-{
-  std::set<std::string> names;
-  for (int reason = 0; reason <= static_cast<int>(Reject::TIMEOUT); ++reason) {
-    const std::string name = vpCircleMarkerRejectName(static_cast<Reject>(reason));
-    EXPECT_NE(name, "unknown");
-    EXPECT_TRUE(names.insert(name).second) << name;
-  }
 }
