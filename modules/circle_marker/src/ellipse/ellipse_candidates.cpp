@@ -49,8 +49,12 @@ void findEllipses(const vpImage<unsigned char> &I, const Gradient &gradient, con
     proposeArcsOfChain(search, chain, memory.workspaces[worker]);
   });
   search.settle();
-  joinArcs(search);
-  joinCaps(search);
+  // Which caps may belong together does not depend on what comes of the arcs.
+  workers.run(1 + gatherCaps(search), [&](std::size_t task, unsigned int worker) {
+    EllipseMemory::Workspace &workspace = memory.workspaces[worker];
+    task == 0 ? joinArcs(search, workspace) : findCapPairs(search, task - 1, workspace);
+  });
+  joinCaps(search, workers);
   joinDots(search, workers);
 }
 } // namespace circle_marker

@@ -21,6 +21,7 @@
 #define VP_CIRCLE_MARKER_ELLIPSE_SEARCH_H
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <visp3/core/vpImage.h>
@@ -66,6 +67,14 @@ struct EllipseMemory
     std::size_t asked = 0; //!< Of the known outlines, so many were asked whether it is inside of them.
     bool isInside = false; //!< Whether it is inside of one of these.
   };
+  /*! Two caps that may be the ends of one thing. */
+  struct CapPair
+  {
+    std::size_t one = 0; //!< Places of the caps.
+    std::size_t other = 0;
+    unsigned int worker = 0;             //!< The thread that has put them together,
+    std::optional<std::size_t> proposal; //!< and where it has what came of it.
+  };
   /*! A ring between two dots. */
   struct DotRing
   {
@@ -80,6 +89,7 @@ struct EllipseMemory
     std::vector<EdgePoint> points;
     std::vector<ConvexArc> arcs;
     ReusedList<EdgeCap> caps;
+    std::vector<CapPair> pairs;
     std::vector<DarkDot> dots;
     std::vector<DotRing> rings;
     ReusedList<LooseArc> loose;
@@ -93,6 +103,7 @@ struct EllipseMemory
   std::vector<const EdgeCap *> caps; //!< Of all workspaces.
   std::vector<CapOutlook> outlooks;  //!< Theirs.
   std::vector<Around> around;        //!< One per cap.
+  std::vector<CapPair> pairs;        //!< Of caps.
   std::vector<DarkDot> dots;         //!< Of all workspaces.
   std::vector<DotRing> rings;        //!< Between these.
   EllipseCandidate ofDots;           //!< The outline of one of them.

@@ -85,11 +85,10 @@ bool join(const EllipseSearch &search, const LooseArc &one, const LooseArc &othe
 } // namespace
 
 // Joins arcs by twos. What is along an outline that comes of it, however much of that is found, is done with.
-void joinArcs(const EllipseSearch &search)
+void joinArcs(const EllipseSearch &search, EllipseMemory::Workspace &workspace)
 {
   gatherLoose(search);
   std::vector<LooseArc *> &loose = search.memory.loose;
-  EllipseMemory::Workspace &workspace = search.memory.workspaces.front();
   int joins = 0;
   for (std::size_t i = 0; i < loose.size(); ++i) {
     int joinsOfArc = 0;

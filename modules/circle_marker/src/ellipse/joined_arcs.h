@@ -24,8 +24,12 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Joins the loose arcs of all workspaces by twos; what comes of it is among the known outlines at once. */
-void joinArcs(const EllipseSearch &search);
+/*!
+  Joins the loose arcs of all workspaces by twos; what comes of it is among the known outlines at once.
+  \param search : The search; nothing else may use its known outlines meanwhile.
+  \param workspace : Memory to work in.
+*/
+void joinArcs(const EllipseSearch &search, EllipseMemory::Workspace &workspace);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

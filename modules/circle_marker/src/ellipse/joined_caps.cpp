@@ -17,6 +17,8 @@
 
 #include "ellipse/joined_caps.h"
 
+#include <algorithm>
+
 #include "ellipse/cap_pairs.h"
 #include "ellipse/sheet_ring.h"
 
@@ -31,6 +33,8 @@ constexpr std::size_t pixelsForCap = 600;
 // has one for 40000.
 constexpr std::size_t fewestEnds = 100;
 constexpr std::size_t pixelsForEnds = 2000;
+// Ends that a thread takes at once: each looks at some hundred others, 0.3 microseconds.
+constexpr std::size_t capsAtOnce = 16;
 
 // Whether a cap is inside of an outline that is mostly found. All outlines are gone through, so each cap asks only
 // when it is one of a pair, and only for those that it has not asked for yet.
@@ -45,69 +49,107 @@ bool isInside(const EllipseSearch &search, std::size_t cap)
   return around.isInside;
 }
 
-// The outline whose two ends are the points of the workspace, as two dark caps or as those of its sheet.
-void putTogether(const EllipseSearch &search, const EdgeCap &cap, EllipseMemory::Workspace &workspace)
+// The pairs of all workspaces that are not inside of an outline, in the order of their caps, as many as are tried.
+void gatherPairs(const EllipseSearch &search)
 {
+  using CapPair = EllipseMemory::CapPair;
+  std::vector<CapPair> &pairs = search.memory.pairs;
+  pairs.clear();
+  for (const EllipseMemory::Workspace &workspace : search.memory.workspaces) {
+    pairs.insert(pairs.end(), workspace.pairs.begin(), workspace.pairs.end());
+  }
+  std::sort(pairs.begin(), pairs.end(),
+            [](const CapPair &p, const CapPair &q) { return p.one != q.one ? p.one < q.one : p.other < q.other; });
+  const std::size_t most = fewestEnds + search.I.getSize() / pixelsForEnds;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < pairs.size() && kept < most && !search.deadline.hasPassed(); ++k) {
+    if (!isInside(search, pairs[k].one) && !isInside(search, pairs[k].other)) {
+      pairs[kept++] = pairs[k];
+    }
+  }
+  pairs.resize(kept);
+}
+
+// Proposes the outline whose two ends are those of a pair, as two dark caps or as those of its sheet.
+EllipseReject putTogether(const EllipseSearch &search, const EllipseMemory::CapPair &pair,
+                          EllipseMemory::Workspace &workspace)
+{
+  const EdgeCap &cap = *search.memory.caps[pair.one];
+  locateEnds(search.gradient, search.chains, cap, *search.memory.caps[pair.other], workspace.points);
   const std::vector<EdgePoint> &points = workspace.points;
   if (!cap.isDark && !mayBeSheet(search.I, points.data(), points.size(), riseBesideLine(search.gradient))) {
-    return search.refuse(workspace, cap.chain, points.data(), points.size(), EllipseReject::BRIGHT_INSIDE);
+    search.refuse(workspace, cap.chain, points.data(), points.size(), EllipseReject::BRIGHT_INSIDE);
+    return EllipseReject::BRIGHT_INSIDE;
   }
-  const EllipseReject reason =
-      search.propose(workspace, cap.chain, points.data(), points.size(), [&](EllipseCandidate &candidate) {
-        return cap.isDark ? workspace.fitter.fitEnds(search.I, search.gradient, points.data(), points.size(),
-                                                     search.sought, candidate)
-                          : workspace.fitter.fitThinRing(search.I, search.gradient, points.data(), points.size(),
-                                                         ThinRing::BY_SHEETS_SHAPE, search.sought.thinRing, candidate);
-      });
-  if (reason == EllipseReject::NONE) {
-    search.memory.known.take(workspace.proposals[workspace.proposals.size() - 1].candidate);
-    workspace.proposals.removeLast();
-  }
+  return search.propose(workspace, cap.chain, points.data(), points.size(), [&](EllipseCandidate &candidate) {
+    return cap.isDark ? workspace.fitter.fitEnds(search.I, search.gradient, points.data(), points.size(), search.sought,
+                                                 candidate)
+                      : workspace.fitter.fitThinRing(search.I, search.gradient, points.data(), points.size(),
+                                                     ThinRing::BY_SHEETS_SHAPE, search.sought.thinRing, candidate);
+  });
 }
 } // namespace
 
-// Puts narrow things together from their ends.
-void joinCaps(const EllipseSearch &search)
+std::size_t gatherCaps(const EllipseSearch &search)
 {
   std::vector<const EdgeCap *> &caps = search.memory.caps;
+  std::vector<CapOutlook> &outlooks = search.memory.outlooks;
   caps.clear();
+  outlooks.clear();
   for (EllipseMemory::Workspace &workspace : search.memory.workspaces) {
+    workspace.pairs.clear();
     for (EdgeCap &cap : workspace.caps) {
       caps.push_back(&cap);
     }
   }
   if (search.deadline.hasPassed() || caps.size() > fewestCaps + search.I.getSize() / pixelsForCap) {
-    return;
+    caps.clear();
   }
   sortCaps(caps);
-  std::vector<CapOutlook> &outlooks = search.memory.outlooks;
-  outlooks.clear();
   for (const EdgeCap *cap : caps) {
     outlooks.emplace_back(*cap);
   }
   search.memory.around.assign(caps.size(), {});
-  EllipseMemory::Workspace &workspace = search.memory.workspaces.front();
-  std::size_t left = fewestEnds + search.I.getSize() / pixelsForEnds;
-  for (std::size_t i = 0; i < caps.size(); ++i) {
-    if (search.deadline.hasPassed()) {
-      return;
-    }
+  return (caps.size() + capsAtOnce - 1) / capsAtOnce;
+}
+
+void findCapPairs(const EllipseSearch &search, std::size_t task, EllipseMemory::Workspace &workspace)
+{
+  const std::vector<const EdgeCap *> &caps = search.memory.caps;
+  const std::vector<CapOutlook> &outlooks = search.memory.outlooks;
+  const std::size_t end = std::min((task + 1) * capsAtOnce, caps.size());
+  for (std::size_t i = task * capsAtOnce; i < end && !search.deadline.hasPassed(); ++i) {
     for (const CapRange &range : candidatesFor(caps, i)) {
       for (std::size_t j = range.begin; j < range.end; ++j) {
-        if (!lookApart(outlooks[i], outlooks[j]) || !mayBeEnds(search.chains, *caps[i], *caps[j])) {
-          continue;
+        if (lookApart(outlooks[i], outlooks[j]) && mayBeEnds(search.chains, *caps[i], *caps[j])) {
+          workspace.pairs.push_back({i, j, 0, std::nullopt});
         }
-        if (left == 0 || search.deadline.hasPassed()) {
-          return;
-        }
-        if (isInside(search, i) || isInside(search, j)) {
-          continue;
-        }
-        --left;
-        locateEnds(search.gradient, search.chains, *caps[i], *caps[j], workspace.points);
-        putTogether(search, *caps[i], workspace);
       }
     }
+  }
+}
+
+// Each pair is put together on its own, and what comes of it is known in their order: it does not depend on the
+// threads.
+void joinCaps(const EllipseSearch &search, Workers &workers)
+{
+  using CapPair = EllipseMemory::CapPair;
+  gatherPairs(search);
+  std::vector<CapPair> &pairs = search.memory.pairs;
+  workers.run(pairs.size(), [&](std::size_t k, unsigned int worker) {
+    EllipseMemory::Workspace &workspace = search.memory.workspaces[worker];
+    if (!search.deadline.hasPassed() && putTogether(search, pairs[k], workspace) == EllipseReject::NONE) {
+      pairs[k].worker = worker;
+      pairs[k].proposal = workspace.proposals.size() - 1;
+    }
+  });
+  for (const CapPair &pair : pairs) {
+    if (pair.proposal && !isInside(search, pair.one) && !isInside(search, pair.other)) {
+      search.memory.known.take(search.memory.workspaces[pair.worker].proposals[*pair.proposal].candidate);
+    }
+  }
+  for (EllipseMemory::Workspace &workspace : search.memory.workspaces) {
+    workspace.proposals.clear();
   }
 }
 } // namespace circle_marker

@@ -20,12 +20,24 @@
 #ifndef VP_CIRCLE_MARKER_JOINED_CAPS_H
 #define VP_CIRCLE_MARKER_JOINED_CAPS_H
 
+#include <cstddef>
+
 #include "ellipse/ellipse_search.h"
+#include "support/workers.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! Puts the ends of narrow things of all workspaces together by twos; what comes of it is known at once. */
-void joinCaps(const EllipseSearch &search);
+/*!
+  Gathers the ends of narrow things of all workspaces, in an order that does not depend on the threads.
+  \return Number of tasks of findCapPairs(); none if there are so many ends that they are of a texture.
+*/
+std::size_t gatherCaps(const EllipseSearch &search);
+
+/*! Notes in a workspace which of the gathered ends may be two of one thing: a task's share of them. */
+void findCapPairs(const EllipseSearch &search, std::size_t task, EllipseMemory::Workspace &workspace);
+
+/*! Puts the ends of all these pairs together; what comes of it is among the known outlines then. */
+void joinCaps(const EllipseSearch &search, Workers &workers);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

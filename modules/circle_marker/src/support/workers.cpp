@@ -31,9 +31,9 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// A thread that sleeps comes back some 0.05 ms after it is called, and an image has a dozen rounds of work. So a thread
-// stays awake for about as long.
-constexpr std::chrono::microseconds staysAwake(100);
+// A thread that sleeps comes back 0.05 ms after it is called, in a virtual machine 0.2, and an image has two dozen rounds
+// of work, with up to 0.2 ms in between. So a thread stays awake for longer than that.
+constexpr std::chrono::microseconds staysAwake(500);
 constexpr std::size_t cacheLine = 64; // bytes
 
 // Waits awake until something is so; false if it is not in time.
@@ -44,6 +44,7 @@ template <class Condition> bool waitsAwake(const Condition &isSo)
     if (std::chrono::steady_clock::now() > end) {
       return false;
     }
+    std::this_thread::yield(); // where there are more threads than cores, another one has work
   }
   return true;
 }
