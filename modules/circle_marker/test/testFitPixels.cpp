@@ -33,8 +33,8 @@ std::vector<FitPixel> select(const vpImage<unsigned char> &I, const MarkerScene 
 {
   std::vector<FitPixel> pixels(5); // left over from before
   const MarkerPlane plane = scene.plane();
-  selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, patternOf(scene.family, id), BlurParameters(),
-               3000., pixels);
+  selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, patternOf(scene.family, id),
+               {BlurParameters(), 0.3, 3000.}, pixels);
   return pixels;
 }
 
@@ -89,6 +89,30 @@ TEST(FitPixels, EveryPixelNearAnEdgeOnce)
         }
       }
     }
+  }
+}
+
+TEST(FitPixels, BandIsAsWideAsTheBlurAndWhatThePoseMayBeOff)
+{
+  Random random = randomOfTest();
+  const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1, 60., 0., side);
+  const MarkerPlane plane = scene.plane();
+  const double pixelsPerRadius = scene.focal * scene.radius / scene.center.z();
+  const MarkerPattern pattern = patternOf(scene.family, -1);
+  for (const double poseError : {0.1, 0.3, 1.}) {
+    PixelChoice choice;
+    choice.poseError = poseError;
+    std::vector<FitPixel> pixels;
+    selectPixels(numbered(side, side), CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, choice, pixels);
+    double farthest = 0.;
+    for (const FitPixel &pixel : pixels) {
+      const Eigen::Vector2d where = pixelOf(pixel, scene);
+      const double radius = scene.onMarker(where.x(), where.y()).norm();
+      const double toEdge = std::min(std::abs(radius - 1.), std::abs(radius - pattern.ring[1].radius));
+      farthest = std::max(farthest, pixelsPerRadius * toEdge);
+    }
+    // Two standard deviations of the blur; of some hundred pixels along the edges one is near the band's end.
+    EXPECT_NEAR(farthest, 2. * choice.blur.sigma + poseError, 0.05) << poseError;
   }
 }
 
@@ -196,7 +220,7 @@ TEST(FitPixels, BothHypothesesAreServed)
   const MarkerPattern pattern = patternOf(scene.family, -1);
   const CameraModel camera(scene.camera());
   std::vector<FitPixel> pixels;
-  selectPixels(I, camera, scene.frame(), planes, 2, pattern, BlurParameters(), 3000., pixels);
+  selectPixels(I, camera, scene.frame(), planes, 2, pattern, {BlurParameters(), 0.3, 3000.}, pixels);
   std::set<std::pair<int, int>> chosen;
   for (const FitPixel &pixel : pixels) {
     const Eigen::Vector2d where = pixelOf(pixel, scene);

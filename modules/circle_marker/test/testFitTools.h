@@ -58,7 +58,7 @@ inline Case makeCase(const MarkerScene &scene, int id, const vpImage<unsigned ch
 {
   Case made = {scene, patternOf(scene.family, id), {}};
   const MarkerPlane plane = scene.plane();
-  selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, BlurParameters(), 3000.,
+  selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, {BlurParameters(), 0.3, 3000.},
                made.pixels);
   return made;
 }

@@ -42,8 +42,7 @@ Outcome outcomeOf(Fitter &fitter, const vpImage<unsigned char> &I, const MarkerS
   Outcome outcome;
   const MarkerPattern pattern = patternOf(scene.family, id);
   const MarkerPlane plane = scene.plane();
-  fitter.selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, BlurParameters(), 20000.,
-                      outcome.pixels);
+  fitter.selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, PixelChoice(), outcome.pixels);
   FitSettings settings;
   settings.spinIsKnown = scene.family.isCoded();
   settings.exactBends = exactBends;
@@ -140,8 +139,7 @@ TEST(Fitter, ExplainsThePixels)
     const MarkerPattern pattern = patternOf(family, 5);
     const MarkerPlane plane = scene.plane();
     std::vector<FitPixel> pixels;
-    fitter->selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, BlurParameters(), 20000.,
-                         pixels);
+    fitter->selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, PixelChoice(), pixels);
     const auto fit = fitter->fitPose(pixels, {plane, std::nullopt, std::nullopt}, pattern, FitSettings());
     ASSERT_TRUE(fit);
     std::vector<ExplainedPixel> explained;

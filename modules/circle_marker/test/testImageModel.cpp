@@ -249,7 +249,8 @@ TEST(ImageModel, TheValueIsTheSameWithoutItsDerivatives)
       const MarkerPlane plane = scene.plane();
       const MarkerPattern pattern = patternOf(family, id);
       std::vector<FitPixel> pixels;
-      selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, BlurParameters(), 1e6, pixels);
+      selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, {BlurParameters(), 0.3, 1e6},
+                   pixels);
       PixelBlocks blocks;
       packPixels(pixels, plane, pattern, Photometry(), 2., 1., borders, blocks);
       const ImageModel model(plane, pattern, BlurParameters(), blocks);

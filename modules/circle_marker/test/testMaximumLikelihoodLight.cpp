@@ -50,7 +50,8 @@ TEST(MaximumLikelihoodLight, MotionIsNoError)
     const MarkerPlane plane = scene.plane();
     BlurParameters blur;
     blur.sigma = 1.2;
-    selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, blur, 3000., made.pixels);
+    selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, {blur, 0.3, 3000.},
+                 made.pixels);
     const auto fit = fitAll(made.pixels, disturbed(plane, random, 0.01), made.pattern, settingsOf(family));
     ASSERT_TRUE(fit);
     sum += mahalanobis(*fit, plane, true);

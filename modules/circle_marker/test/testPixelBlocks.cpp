@@ -43,7 +43,7 @@ Packed pack(Random &random, const vpCircleMarkerFamily &family, double diameter,
   packed.pattern = patternOf(family, id);
   const MarkerPlane plane = packed.scene.plane();
   selectPixels(digitise(expose(side, side, 0.7, packed.scene, 2), 2., random), CameraModel(packed.scene.camera()),
-               packed.scene.frame(), &plane, 1, packed.pattern, BlurParameters(), 1e6, packed.pixels);
+               packed.scene.frame(), &plane, 1, packed.pattern, {BlurParameters(), 0.3, 1e6}, packed.pixels);
   packPixels(packed.pixels, plane, packed.pattern, photometry, 2., 1., mostBorders, packed.blocks);
   return packed;
 }
@@ -117,7 +117,7 @@ TEST(PixelBlocks, NeighboursInABlockMakeNoDifference)
       packed.pattern = patternOf(family, 7);
       const MarkerPlane plane = packed.scene.plane();
       selectPixels(I, CameraModel(packed.scene.camera()), packed.scene.frame(), &plane, 1, packed.pattern,
-                   BlurParameters(), 1e6, packed.pixels);
+                   {BlurParameters(), 0.3, 1e6}, packed.pixels);
       packPixels(packed.pixels, plane, packed.pattern, Photometry(), 2., 1., mostBorders, packed.blocks);
       BlurParameters blur;
       blur.sigma = 0.6;

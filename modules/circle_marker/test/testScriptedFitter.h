@@ -53,7 +53,7 @@ public:
 
   void selectPixels(const vpImage<unsigned char> &, const circle_marker::CameraModel &,
                     const circle_marker::ImageFrame &, const circle_marker::MarkerPlane *, std::size_t,
-                    const circle_marker::MarkerPattern &, const circle_marker::BlurParameters &, double,
+                    const circle_marker::MarkerPattern &, const circle_marker::PixelChoice &,
                     std::vector<circle_marker::FitPixel> &pixels) override
   {
     pixels.clear();

@@ -42,6 +42,8 @@ constexpr int coarseBorders = 3;
 // another one, even the right one may.
 constexpr double coarseConvergence = 0.5;
 constexpr int coarseIterations = 6;
+// And of a fit that is to come to its end: of 22 mirrored poses of sharp rings eight were still on their way after 25.
+constexpr int iterationsToTheEnd = 60;
 // Looks at few pixels: those around an outline that is off by more than the blur do not show where it should be.
 constexpr int mostLooks = 3;
 constexpr double farOff = 0.8; // pixels
@@ -49,6 +51,18 @@ constexpr double farOff = 0.8; // pixels
 // Borders between black and white sectors that tell the spin of a covered marker. Where fewer are seen, as crossing
 // bars may leave of them, a fit to the rest turned a right spin by 16 to 180 degrees.
 constexpr unsigned int leastBorders = 3;
+
+// Those of fits on few pixels; settings: of the fit on all pixels.
+FitSettings coarseSettings(const FitSettings &settings, int mostIterations)
+{
+  FitSettings coarse = settings;
+  coarse.convergence = coarseConvergence;
+  coarse.poseError = coarseError;
+  coarse.bordersSeen = coarseBorders;
+  coarse.exactBends = false;
+  coarse.mostIterations = mostIterations;
+  return coarse;
+}
 
 // The coarse fits of a marker with one print.
 class CoarseFits
@@ -127,13 +141,38 @@ public:
     return again.fits.empty() ? ranked : again;
   }
 
+  // From two poses, neither of which ends because the other one is better.
+  RankedFits fitBoth(const FittedPose &first, const MarkerPlane &second)
+  {
+    Few<MarkerPlane> around;
+    around.push_back(first.plane);
+    around.push_back(second);
+    choosePixels(around, boundedBlur(first.photometry.blur));
+    Few<FittedPose> fits;
+    FitSettings settings = m_settings;
+    for (const MarkerPlane &plane : around) {
+      if (const auto fit = m_fitter.fitPose(m_pixels, {plane, first.photometry, std::nullopt}, m_pattern, settings)) {
+        fits.push_back(*fit);
+      }
+      settings.samePixels = true;
+    }
+    RankedFits ranked = rank(m_pixels, m_pattern, m_settings.exactBends, fits, m_fitter);
+    keepTwo(ranked);
+    return ranked;
+  }
+
 private:
-  // From all starts on the pixels around some poses; those that are the same count once.
-  RankedFits fitAround(const Few<MarkerPlane> &around, const BlurParameters &blur, const Few<FitStart> &starts)
+  void choosePixels(const Few<MarkerPlane> &around, const BlurParameters &blur)
   {
     selectFewPixels(m_view.I, m_view.camera, m_view.frame, around.data(), around.size(), m_pattern, blur, m_pixels);
     dropCovered(m_view.marker, m_pixels);
     evenOut(m_view, m_pixels);
+  }
+
+  // From all starts on the pixels around some poses; those that are the same count once.
+  RankedFits fitAround(const Few<MarkerPlane> &around, const BlurParameters &blur, const Few<FitStart> &starts)
+  {
+    choosePixels(around, blur);
     RankedFits ranked = rank(m_pixels, m_pattern, m_settings.exactBends,
                              fitAll(m_pixels, starts, m_pattern, m_settings, m_fitter), m_fitter);
     keepTwo(ranked);
@@ -194,15 +233,16 @@ void evenOut(const MarkerInImage &view, std::vector<FitPixel> &pixels)
 RankedFits fitFewPixels(const MarkerInImage &view, const MarkerPattern &pattern, bool refine,
                         const FitSettings &settings, std::vector<FitPixel> &pixels, Fitter &fitter)
 {
-  FitSettings coarse = settings;
-  coarse.convergence = coarseConvergence;
-  coarse.poseError = coarseError;
-  coarse.bordersSeen = coarseBorders;
-  coarse.exactBends = false;
-  coarse.mostIterations = refine ? coarseIterations : 0;
-  CoarseFits fits(view, pattern, coarse, pixels, fitter);
+  CoarseFits fits(view, pattern, coarseSettings(settings, refine ? coarseIterations : 0), pixels, fitter);
   const RankedFits ranked = fits.fit();
   return view.marker.seen && refine ? fits.fitMirrored(ranked) : ranked;
+}
+
+RankedFits fitToTheirEnds(const MarkerInImage &view, const MarkerPattern &pattern, const FittedPose &first,
+                          const MarkerPlane &second, const FitSettings &settings, std::vector<FitPixel> &pixels,
+                          Fitter &fitter)
+{
+  return CoarseFits(view, pattern, coarseSettings(settings, iterationsToTheEnd), pixels, fitter).fitBoth(first, second);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

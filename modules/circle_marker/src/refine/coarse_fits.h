@@ -65,6 +65,20 @@ void evenOut(const MarkerInImage &view, std::vector<FitPixel> &pixels);
 */
 RankedFits fitFewPixels(const MarkerInImage &view, const MarkerPattern &pattern, bool refine,
                         const FitSettings &settings, std::vector<FitPixel> &pixels, Fitter &fitter);
+
+/*!
+  Fits from two poses on few pixels around them, each to its end, whatever the other one leaves.
+  \param view : What is looked at.
+  \param pattern : The print.
+  \param first : The better one, whose light both start with.
+  \param second : The other one.
+  \param settings : Of the fit on all pixels.
+  \param pixels : Working memory, holds the few pixels.
+  \param fitter : Fits.
+*/
+RankedFits fitToTheirEnds(const MarkerInImage &view, const MarkerPattern &pattern, const FittedPose &first,
+                          const MarkerPlane &second, const FitSettings &settings, std::vector<FitPixel> &pixels,
+                          Fitter &fitter);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

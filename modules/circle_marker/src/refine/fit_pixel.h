@@ -60,6 +60,14 @@ struct FitPixel
   float grey = 0.f;                                        //!< Measured grey level.
   std::array<BeyondPaper, paperShapes> beyond{};           //!< What may lie beyond the paper, by its shape.
 };
+
+/*! Which pixels of a marker are chosen. */
+struct PixelChoice
+{
+  BlurParameters blur;      //!< Expected at the edges: it makes the width of the band around them.
+  double poseError = 0.3;   //!< How far from where they are thought to be the edges may be, pixels.
+  double manyPixels = 20e3; //!< Number of pixels from which the marker is thinned.
+};
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -30,15 +30,14 @@ namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 namespace {
 // Half-width of the band of pixels along an edge: beyond 2 standard deviations of the blur lies 0.5 % of what an edge
-// tells of its place and 5 % of what it tells of the blur; and the pose is known to this, pixels. A small marker, which
-// has few pixels, uses them up to 2.4 standard deviations: 0.1 and 1 % lie beyond. A large one has so many that time
-// counts: 2.4 % of what an edge tells of its place lie beyond 1.6, and a fifth of the pixels.
+// tells of its place and 5 % of what it tells of the blur. A small marker, which has few pixels, uses them up to 2.4
+// standard deviations: 0.1 and 1 % lie beyond. A large one has so many that time counts: 2.4 % of what an edge tells of
+// its place lie beyond 1.6, and a fifth of the pixels.
 constexpr double bandOfBlur = 2.;
 constexpr double bandOfSmall = 2.4;
 constexpr double bandOfLarge = 1.6;
 constexpr double smallMarker = 40.;  // diameter, pixels
 constexpr double largeMarker = 200.; // diameter, pixels
-constexpr double poseErrorOfSelection = 0.3;
 
 // Box around the marker and its quiet zone in all hypotheses, within the image.
 PixelBox boundingBox(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane *planes,
@@ -164,9 +163,10 @@ void forEachRow(const Hypotheses &hypotheses, std::size_t count, int left, int t
 } // namespace
 
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
-                  const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
-                  const BlurParameters &blur, double most, std::vector<FitPixel> &pixels)
+                  const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern, const PixelChoice &choice,
+                  std::vector<FitPixel> &pixels)
 {
+  const BlurParameters &blur = choice.blur;
   pixels.clear();
   count = std::min(count, mostHypotheses);
   // In coordinates in which the blur is round: there lengths are larger by this factor at most.
@@ -175,9 +175,9 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   const PixelBox box = boundingBox(I, camera, planes, count, outermost);
   const double size = 0.25 * (box.width() + box.height() - 2) / outermost;
   const double deviations = 2. * size < smallMarker ? bandOfSmall : 2. * size > largeMarker ? bandOfLarge : bandOfBlur;
-  const double band = deviations * blur.sigma + longer * poseErrorOfSelection;
+  const double band = deviations * blur.sigma + longer * choice.poseError;
   const double expected = 2. * band * edgeLength(pattern, size);
-  const Lattice lattice(std::max(1, static_cast<int>(std::ceil(expected / most))));
+  const Lattice lattice(std::max(1, static_cast<int>(std::ceil(expected / choice.manyPixels))));
   // Inside a plain ring anything may be printed: only the neighbourhood of its edges is known.
   const bool usesFlat = pattern.sectors > 0 && lattice.holdsAll();
   SurroundShare surround(I, camera, planes, count, pattern.paper, blur);

@@ -37,13 +37,12 @@ inline namespace CIRCLE_MARKER_LANES {
   \param frame : Coordinates of the pixels' offsets.
   \param planes, count : The hypotheses.
   \param pattern : The print.
-  \param blur : Blur expected at the edges: the width of the band around them.
-  \param most : Number of pixels from which the marker is thinned.
+  \param choice : Which pixels near an edge, and how many.
   \param pixels : The result; its memory is used again.
 */
 void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
-                  const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
-                  const BlurParameters &blur, double most, std::vector<FitPixel> &pixels);
+                  const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern, const PixelChoice &choice,
+                  std::vector<FitPixel> &pixels);
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker
 END_VISP_NAMESPACE

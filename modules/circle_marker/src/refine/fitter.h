@@ -48,7 +48,7 @@ public:
   /*! See circle_marker::selectPixels(). */
   virtual void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
                             const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
-                            const BlurParameters &blur, double most, std::vector<FitPixel> &pixels) = 0;
+                            const PixelChoice &choice, std::vector<FitPixel> &pixels) = 0;
 
   /*! See circle_marker::fitPose(). */
   virtual std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const FitStart &start,

@@ -56,8 +56,9 @@ struct MeasureMemory : FittingMemory
   MeasureMemory(const MeasureMemory &) : FittingMemory() {}
   MeasureMemory &operator=(const MeasureMemory &) { return *this; }
 
-  TrackMemory track; //!< Of the code track's pixels.
-  CodeImage code;    //!< The same of a small marker.
+  TrackMemory track;               //!< Of the code track's pixels.
+  CodeImage code;                  //!< The same of a small marker.
+  std::vector<FitPixel> fewPixels; //!< When few are looked at once more after all.
 };
 
 /*!

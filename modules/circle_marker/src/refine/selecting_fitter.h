@@ -30,9 +30,9 @@ class SelectingFitter final : public LanesFitter
 public:
   void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
                     const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
-                    const BlurParameters &blur, double most, std::vector<FitPixel> &pixels) override
+                    const PixelChoice &choice, std::vector<FitPixel> &pixels) override
   {
-    CIRCLE_MARKER_LANES::selectPixels(I, camera, frame, planes, count, pattern, blur, most, pixels);
+    CIRCLE_MARKER_LANES::selectPixels(I, camera, frame, planes, count, pattern, choice, pixels);
   }
 };
 } // namespace CIRCLE_MARKER_LANES

@@ -53,9 +53,9 @@ public:
 
   void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const ImageFrame &frame,
                     const MarkerPlane *planes, std::size_t count, const MarkerPattern &pattern,
-                    const BlurParameters &blur, double most, std::vector<FitPixel> &pixels) override
+                    const PixelChoice &choice, std::vector<FitPixel> &pixels) override
   {
-    m_selector->selectPixels(I, camera, frame, planes, count, pattern, blur, most, pixels);
+    m_selector->selectPixels(I, camera, frame, planes, count, pattern, choice, pixels);
   }
 
 private:
