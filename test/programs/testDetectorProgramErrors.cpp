@@ -56,6 +56,14 @@ TEST(DetectorProgram, InputsThatCannotBeUsedEndWithOne)
   EXPECT_TRUE(test::filesIn(folder).empty()) << "nothing is left of what could not be written";
 }
 
+TEST(DetectorProgram, OfAFolderItIsSaidWhatToGive)
+{
+  const fs::path folder = test::emptyFolder();
+  const test::Outcome outcome = test::run(DETECTOR_PROGRAM, reference(folder.string()), folder);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("is left out: it is a folder; give the images in it"), std::string::npos) << outcome.err;
+}
+
 TEST(DetectorProgram, WrongArgumentsEndWithTwo)
 {
   const fs::path folder = test::emptyFolder();
@@ -65,6 +73,7 @@ TEST(DetectorProgram, WrongArgumentsEndWithTwo)
       reference(referencePicture, {"--nosuchoption"}),
       reference(referencePicture, {"--family", "nosuchfamily"}),
       reference(referencePicture, {"--sizes", "5=0.1"}),
+      reference(referencePicture, {"--sizes", "5:0.1,5:0.2"}),
       reference(referencePicture, {"--ratio", "0.7", "--family", "golay23"}),
       reference(""),
       reference("img%d.png", {"--first", "5", "--last", "4"}),

@@ -63,7 +63,9 @@ std::map<int, double> sizesOf(const std::string &text)
     if (!(in >> id >> colon >> size) || colon != ':' || id < 0 || in.peek() != std::istringstream::traits_type::eof()) {
       throw UsageError("--sizes takes ids and diameters in metres, as 3:0.1,4:0.2, not \"" + part + "\"");
     }
-    sizes[id] = checkedSize(size, "--sizes");
+    if (!sizes.emplace(id, checkedSize(size, "--sizes")).second) {
+      throw UsageError("--sizes has the marker " + std::to_string(id) + " twice");
+    }
   }
   return sizes;
 }

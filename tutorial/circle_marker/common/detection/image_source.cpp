@@ -51,6 +51,10 @@ public:
     const Entry &entry = m_entries[m_next++];
     SourceImage result{entry.first, entry.second, std::nullopt, ""};
     try {
+      if (fs::is_directory(entry.first)) {
+        throw vpException(vpException::ioError,
+                          "it is a folder; give the images in it with a number in their name, folder/image-%%04d.png");
+      }
       if (!fs::is_regular_file(entry.first)) {
         throw vpException(vpException::ioError, "there is no such file");
       }
