@@ -262,30 +262,37 @@ RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDou
   return ranked;
 }
 
-// The fits once more, if something is left that the model lacks, and the other pose was given up on its way: how far it
-// would have come is not known then, and the odds are not. (Of a ring of 250 pixels whose edges were sharper than a
-// lens makes them they were e^0.1, and in other noise e^700.) Few pixels tell it; all pixels, if it is not hopeless
-// there.
-RankedFits withOtherPose(MarkerInImage &view, const RankedFits &ranked, std::optional<GivenUp> &givenUp,
-                         const FitSettings &settings, MarkerPattern &pattern, MeasureMemory &memory)
+// Compares the poses once more, if something is left that the model lacks, and the other one was given up on its way:
+// how far it would have come is not known then, and the odds are not. (Of a ring of 250 pixels whose edges were sharper
+// than a lens makes them they were e^0.1, and in other noise e^700.) Few pixels tell it; all pixels, if it is not
+// hopeless there.
+void compareAtTheirEnds(MarkerInImage &view, RankedFits &ranked, std::optional<GivenUp> &givenUp,
+                        const FitSettings &settings, MarkerPattern &pattern, MeasureMemory &memory)
 {
-  const FittedPose &best = ranked.fits[0];
-  const FittedPose *other = givenUp ? &givenUp->fit : ranked.fits.size() > 1 ? &ranked.fits[1] : nullptr;
+  const FittedPose best = ranked.fits[0];
+  FittedPose *other = givenUp ? &givenUp->fit : ranked.fits.size() > 1 ? &ranked.fits[1] : nullptr;
   if (!other || other->isSettled || best.coherence <= 1. || view.frame.size <= leastHopelessSize) {
-    return ranked;
+    return;
   }
   RankedFits few =
       fitToTheirEnds(view, pattern, best, mirrored(best.plane), settings, memory.fewPixels, *memory.fitter);
   if (few.fits.size() < 2) {
-    return ranked;
+    // From the mirrored pose, too, one comes to the best: the other is no end, and what it leaves counts as it is.
+    other->isSettled = !few.fits.empty() && isSamePose(few.fits[0], best);
+    return;
   }
   givenUp = giveUpHopeless(view, few);
-  if (!givenUp || !isSamePose(few.fits[0], best)) {
-    return fitFinely(view, few, false, givenUp.has_value(), settings, pattern, memory);
+  if (givenUp && isSamePose(few.fits[0], best)) {
+    if (!givenUp->fit.isSettled) { // after so many steps: as much may be left of the way as isHopeless() allows
+      const double ahead = costOf(givenUp->fit.decrement, few.noise, few.fits[0].sharing);
+      givenUp->moreCost -= std::min(ahead, 0.5 * givenUp->moreCost);
+      givenUp->fit.isSettled = true;
+    }
+    leaveBest(ranked);
   }
-  RankedFits alone = ranked;
-  leaveBest(alone);
-  return alone;
+  else {
+    ranked = fitFinely(view, few, false, givenUp.has_value(), settings, pattern, memory);
+  }
 }
 
 Measurement measurementOf(const RankedFits &ranked, const std::optional<GivenUp> &givenUp)
@@ -356,7 +363,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     }
     ranked = fitFinely(view, ranked, isInDoubt, givenUp.has_value(), settings, pattern, memory);
     if (!isInDoubt && !ranked.fits.empty()) {
-      ranked = withOtherPose(view, ranked, givenUp, settings, pattern, memory);
+      compareAtTheirEnds(view, ranked, givenUp, settings, pattern, memory);
     }
   }
   if (isInDoubt && !ranked.fits.empty() && !mayBePrint(ranked.fits[0], view, false)) {
