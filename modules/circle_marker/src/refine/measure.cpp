@@ -41,12 +41,9 @@ namespace {
 constexpr double manyPixels = 20000.;
 // How far the fits on all pixels may go from the coarse ones until their pixels are sorted anew, pixels.
 constexpr double fineError = 0.6;
-// How far the coarse fits are off, pixels. Of 390 clear markers of 40 pixels diameter and more it was 0.025 in the
-// median and more than 0.1 of one in fifty; of 146 below 20 pixels one in four, and covered ones are drawn aside. Plain
-// rings have nothing but their edges' band to tell the light by: in a narrower one the covariance of those under a
-// reflection, too narrow as it is, was so by 1.3 times more.
-constexpr double coarseErrorOfClear = 0.1;
-constexpr double coarseErrorOfOthers = 0.3;
+// How far the coarse fits are off, pixels. (With 0.1, which nearly all clear ones are nearer than, a covered code was
+// read as another: testDetectorWrongIds.)
+constexpr double coarseError = 0.3;
 // Steps of a fit to a code that is not certain: with the right one seldom more are wanted, with a wrong one and on what
 // is no marker they do not end.
 constexpr int mostIterationsInDoubt = 12;
@@ -154,8 +151,7 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, boo
     PaperEnd &square = pattern.paper[static_cast<std::size_t>(PaperShape::SQUARE)];
     square.angle = squareAngleOf(view.I, view.camera, planes[0], square.extent, blur.sigma);
   }
-  const bool isClearCode = settings.isClear && pattern.sectors > 0;
-  const PixelChoice choice = {blur, isClearCode ? coarseErrorOfClear : coarseErrorOfOthers, manyPixels};
+  const PixelChoice choice = {blur, coarseError, manyPixels};
   memory.fitter->selectPixels(view.I, view.camera, view.frame, planes.data(), fits.size(), pattern, choice,
                               memory.pixels);
   dropCovered(view.marker, memory.pixels);
@@ -272,6 +268,9 @@ void compareAtTheirEnds(MarkerInImage &view, RankedFits &ranked, std::optional<G
   const FittedPose best = ranked.fits[0];
   FittedPose *other = givenUp ? &givenUp->fit : ranked.fits.size() > 1 ? &ranked.fits[1] : nullptr;
   if (!other || other->isSettled || best.coherence <= 1. || view.frame.size <= leastHopelessSize) {
+    return;
+  }
+  if (view.marker.seen) { // what covers it is lacking at any pose; a covered code was read as another by this
     return;
   }
   RankedFits few =
