@@ -33,7 +33,7 @@ constexpr std::size_t pixelsForCap = 600;
 // has one for 40000.
 constexpr std::size_t fewestEnds = 100;
 constexpr std::size_t pixelsForEnds = 2000;
-// Ends that a thread takes at once: each looks at some hundred others, 0.3 microseconds.
+// Ends that a thread takes at once: for one alone, taking it would cost as much as looking at it.
 constexpr std::size_t capsAtOnce = 16;
 
 // Whether a cap is inside of an outline that is mostly found. All outlines are gone through, so each cap asks only
