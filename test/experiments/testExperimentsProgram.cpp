@@ -106,7 +106,8 @@ TEST(ExperimentsProgram, WritesDataStatisticsFiguresAndReport)
   EXPECT_EQ(rowsOf(csv).size(), 5u * (2 * 2 + 1)); // Cells; frames of two methods; the bound of the first frame.
 
   const auto json = nlohmann::json::parse(contentOf(folder / "results" / "experiment-3.json"));
-  EXPECT_EQ(json["settings"]["seed"], "1");
+  EXPECT_EQ(json["settings"]["seed"], 1);
+  EXPECT_TRUE(json["settings"]["size_m"].is_number());
   ASSERT_EQ(json["series"].size(), 5u);
   EXPECT_EQ(json["series"][0]["views"][0]["frames"], 2);
 }

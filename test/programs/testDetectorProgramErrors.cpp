@@ -74,6 +74,7 @@ TEST(DetectorProgram, WrongArgumentsEndWithTwo)
       reference(referencePicture, {"--family", "nosuchfamily"}),
       reference(referencePicture, {"--sizes", "5=0.1"}),
       reference(referencePicture, {"--sizes", "5:0.1,5:0.2"}),
+      reference(referencePicture, {"--sizes", "5:0.1,178:0.2"}),
       reference(referencePicture, {"--ratio", "0.7", "--family", "golay23"}),
       reference(""),
       reference("img%d.png", {"--first", "5", "--last", "4"}),

@@ -32,6 +32,13 @@ ordered_json number(double value)
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
+// The table's header has text: a number is one here, a range that is the experiment's own is null.
+ordered_json settingOf(const std::string &text)
+{
+  const ordered_json value = ordered_json::parse(text, nullptr, false);
+  return value.is_number() ? value : text == ownRange ? ordered_json(nullptr) : ordered_json(text);
+}
+
 ordered_json jsonOf(const Statistics &s)
 {
   return {{"mean", number(s.mean)},   {"median", number(s.median)}, {"p95", number(s.p95)}, {"rms", number(s.rms)},
@@ -60,7 +67,7 @@ std::string jsonOf(const Experiment &experiment, const Settings &settings, const
 {
   ordered_json result;
   for (const HeaderLine &line : headerOf(settings)) {
-    result["settings"][line.key] = line.value;
+    result["settings"][line.key] = settingOf(line.value);
   }
   result["series"] = ordered_json::array();
   for (std::size_t i = 0; i < experiment.series.size(); ++i) {

@@ -24,8 +24,6 @@
 
 namespace experiments {
 namespace {
-constexpr const char *none = "-"; //!< A range that is the experiment's own.
-
 std::string textOf(double value)
 {
   std::ostringstream out;
@@ -36,12 +34,12 @@ std::string textOf(double value)
 
 std::string textOf(const std::optional<double> &value)
 {
-  return value ? textOf(*value) : none;
+  return value ? textOf(*value) : ownRange;
 }
 
 std::optional<double> rangeFrom(const std::string &text)
 {
-  return text == none ? std::nullopt : std::optional<double>(std::stod(text));
+  return text == ownRange ? std::nullopt : std::optional<double>(std::stod(text));
 }
 } // namespace
 

@@ -24,6 +24,10 @@
 #include "settings.h"
 
 namespace experiments {
+/*! Value of a range that is the experiment's own. */
+constexpr const char *ownRange = "-";
+
+/*! A setting as text. */
 struct HeaderLine
 {
   std::string key, value;

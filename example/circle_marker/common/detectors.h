@@ -60,6 +60,7 @@ public:
 
 private:
   double m_size;                                 //!< Outer diameter of the ring, metres.
+  unsigned int m_readyFor = 0;                   //!< Pixels of an image for which there is memory.
   std::optional<vpCircleMarkerDetection> m_last; //!< Of the last image.
   vpDetectorCircleMarker m_detector;             //!< Settings and working memory.
 };

@@ -19,9 +19,8 @@
 
 #include <cmath>
 
-#include <Eigen/QR>
-
 #include "support/cross_matrix.h"
+#include "support/symmetric_eigen.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -29,7 +28,7 @@ namespace {
 // Points along each circle, and along each border between sectors: the least squares of smooth functions.
 constexpr int pointsOfCircle = 32;
 constexpr int pointsOfBorder = 2;
-// Singular values below this share of the largest are none: the spin of a marker without a code.
+// Eigenvalues below this share of the largest are none: the spin of a marker without a code.
 constexpr double noInformation = 1e-9;
 
 // The normal equations of the pose and its right-hand sides, one for each of the camera's parameters.
@@ -61,10 +60,11 @@ public:
     // Translations in radii, so that all unknowns are of one size.
     Eigen::Matrix<double, 6, 1> unit;
     unit << Eigen::Vector3d::Constant(m_plane.radius), Eigen::Vector3d::Ones();
-    Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 6, 6>> decomposition;
-    decomposition.setThreshold(noInformation);
-    decomposition.compute(unit.asDiagonal() * m_matrix * unit.asDiagonal());
-    return unit.asDiagonal() * decomposition.solve(unit.asDiagonal() * m_right);
+    const SymmetricEigen eigen = symmetricEigen(unit.asDiagonal() * m_matrix * unit.asDiagonal());
+    const double least = noInformation * eigen.values[5];
+    const Eigen::Matrix<double, 6, 1> inverse = (eigen.values.array() > least).select(eigen.values.cwiseInverse(), 0.);
+    const Eigen::Matrix<double, 6, 4> turned = eigen.vectors.transpose() * (unit.asDiagonal() * m_right);
+    return unit.asDiagonal() * (eigen.vectors * (inverse.asDiagonal() * turned));
   }
 
 private:

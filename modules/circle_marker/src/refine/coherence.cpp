@@ -20,9 +20,9 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include "refine/grey_model.h"
+#include "support/symmetric_eigen.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -132,9 +132,9 @@ void takeTogether(Parts &parts, std::size_t count)
 // as much as they do there. Where they move it less they are too few to tell. root: of the covariance, L of L L'.
 PoseMatrix widened(const PoseMatrix &root, const Excess &excess)
 {
-  const Eigen::SelfAdjointEigenSolver<PoseMatrix> solver(excess.covariance);
-  const PoseMatrix axes = root * solver.eigenvectors();
-  return axes * solver.eigenvalues().cwiseMax(excess.ratio).asDiagonal() * axes.transpose();
+  const SymmetricEigen eigen = symmetricEigen(excess.covariance);
+  const PoseMatrix axes = root * eigen.vectors;
+  return axes * eigen.values.cwiseMax(excess.ratio).asDiagonal() * axes.transpose();
 }
 } // namespace
 

@@ -21,9 +21,9 @@
 #include <cmath>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include "refine/fit_step.h"
+#include "support/symmetric_eigen.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -65,9 +65,8 @@ Eigen::Matrix<double, 6, 6> positive(const Eigen::Matrix<double, 6, 6> &covarian
   if (Eigen::LLT<Eigen::Matrix<double, 6, 6>>(covariance).info() == Eigen::Success) {
     return covariance;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(covariance);
-  const Eigen::Matrix<double, 6, 6> axes = solver.eigenvectors();
-  return axes * solver.eigenvalues().cwiseAbs().asDiagonal() * axes.transpose();
+  const SymmetricEigen eigen = symmetricEigen(covariance);
+  return eigen.vectors * eigen.values.cwiseAbs().asDiagonal() * eigen.vectors.transpose();
 }
 } // namespace
 

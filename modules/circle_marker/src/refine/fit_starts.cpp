@@ -22,18 +22,22 @@
 
 #include <Eigen/Geometry>
 
+#include "support/cross_matrix.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
 // Error with which the closed form knows the axes of the outline, pixels.
 constexpr double outlineError = 0.1;
 
-// The marker turned about its centre, the shortest way, so that its normal has another direction.
+// The marker turned about its centre, the shortest way, so that its normal has another direction, which is not the
+// opposite one: with the cross product v of the two and their cosine c, by I + [v] + [v]^2 / (1 + c) (Rodrigues).
 MarkerPlane turnedTo(const MarkerPlane &plane, const Eigen::Vector3d &normal)
 {
+  const Eigen::Vector3d former = plane.rotation.col(2);
+  const Eigen::Matrix3d cross = crossMatrix(former.cross(normal));
   MarkerPlane turned = plane;
-  turned.rotation =
-      Eigen::Quaterniond::FromTwoVectors(plane.rotation.col(2), normal).toRotationMatrix() * plane.rotation;
+  turned.rotation += (cross + cross * cross / (1. + former.dot(normal))) * plane.rotation;
   return turned;
 }
 } // namespace

@@ -44,7 +44,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -60,6 +59,7 @@
 #include "refine/surround.h"
 #include "support/camera_model.h"
 #include "support/normal_distribution.h"
+#include "support/symmetric_eigen.h"
 
 #include <visp3/core/vpImage.h>
 

@@ -23,9 +23,11 @@
 #include <string>
 #include <utility>
 
-#include <CLI/CLI.hpp>
-
 #include "frame_source.h"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace tutorial {
 /*! A feature of a camera: set by the camera itself, or to a number in the camera's own units. */

@@ -17,8 +17,11 @@
 
 #include "detector_options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+
+#include <CLI/CLI.hpp>
 
 #include "../arguments.h"
 
@@ -68,6 +71,19 @@ std::map<int, double> sizesOf(const std::string &text)
     }
   }
   return sizes;
+}
+
+void checkSizesHaveMarkers(const std::map<int, double> &sizes, const std::vector<vpCircleMarkerFamily> &families)
+{
+  for (const auto &[id, size] : sizes) {
+    const bool isThere = std::any_of(families.begin(), families.end(), [id = id](const vpCircleMarkerFamily &family) {
+      return id < static_cast<int>(family.getNbIds());
+    });
+    if (!isThere) {
+      throw UsageError("--sizes has a marker " + std::to_string(id) +
+                       ", but no family that is looked for has one; check the id and --family");
+    }
+  }
 }
 } // namespace
 
@@ -134,6 +150,7 @@ vpDetectorCircleMarker makeDetector(const DetectorSettings &settings)
     detector.setFamilies(settings.families);
   }
   if (!settings.sizes.empty()) {
+    checkSizesHaveMarkers(settings.sizes, detector.getFamilies());
     detector.setMarkerSizes(settings.sizes);
   }
   if (!settings.databaseFile.empty()) {

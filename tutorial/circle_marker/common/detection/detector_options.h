@@ -23,12 +23,14 @@
 #include <string>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include <visp3/circle_marker/vpCircleMarkerFamily.h>
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
 
 #include "../visp_names.h"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace tutorial {
 /*! What to look for, and how. */
@@ -71,6 +73,7 @@ struct DetectorOptions
 /*!
   \return A detector for these settings, z into the markers.
   \exception vpException : If the file of settings cannot be used.
+  \exception UsageError : If a marker has a size that no family has.
 */
 vpDetectorCircleMarker makeDetector(const DetectorSettings &settings);
 

@@ -119,7 +119,7 @@ vpImage<unsigned char> readImage(const std::string &path)
 {
   const Content content = contentOf(path);
   if (content == Content::JPEG && !endsAsJpeg(path)) {
-    throw vpException(vpException::ioError, "the file is cut off");
+    throw vpException(vpException::ioError, "the file is cut off; copy or write it again");
   }
   const std::string extension = extensionOf(path);
   const bool isNamed = isNamedSo(extension, content);
@@ -128,9 +128,9 @@ vpImage<unsigned char> readImage(const std::string &path)
   try {
     image = isNamed ? readByName(path, content == Content::JPEG) : readByContent(path);
   }
-  catch (const vpException &) {
+  catch (const vpException &e) {
     if (content != Content::PNM) { // that has text, or 16 bits, which ViSP does not read
-      throw;
+      throw vpException(vpException::ioError, "%s; is the file whole? Copy or write it again", e.what());
     }
     image = readByContent(path);
   }

@@ -56,7 +56,8 @@ public:
                           "it is a folder; give the images in it with a number in their name, folder/image-%%04d.png");
       }
       if (!fs::is_regular_file(entry.first)) {
-        throw vpException(vpException::ioError, "there is no such file");
+        throw vpException(vpException::ioError,
+                          "there is no such file; check the path, which starts from the folder the program runs in");
       }
       result.image = readImage(entry.first);
     }
@@ -141,7 +142,9 @@ std::unique_ptr<ImageSource> openSource(const std::string &input, std::optional<
     return std::make_unique<FileSource>(numberedFiles(input, *pattern, first, last));
   }
   if (!fs::exists(input)) {
-    throw vpException(vpException::ioError, "there is no file \"%s\"", input.c_str());
+    throw vpException(vpException::ioError,
+                      "there is no file \"%s\"; check the path, which starts from the folder the program runs in",
+                      input.c_str());
   }
   if (isVideo(input)) {
     return openVideo(input, first, last);

@@ -17,7 +17,8 @@
 
 #include "json_line.h"
 
-#include <cmath>
+#include <algorithm>
+#include <limits>
 
 #include <nlohmann/json.hpp>
 
@@ -41,10 +42,16 @@ Json elementsOf(const vpArray2D<double> &matrix)
   return elements;
 }
 
+// Where there is no second pose the odds of the first are infinite, and JSON has no such number.
+double finite(double logOdds)
+{
+  constexpr double largest = std::numeric_limits<double>::max();
+  return std::clamp(logOdds, -largest, largest);
+}
+
 Json markerOf(const vpCircleMarkerDetection &detection, const vpCircleMarkerEntry *entry)
 {
   const vpImageEllipse &ellipse = detection.ellipse;
-  const bool hasLogOdds = detection.hasSecondPose && std::isfinite(detection.logOdds);
   Json marker;
   marker["family"] = detection.family.getName();
   marker["id"] = detection.id;
@@ -57,7 +64,7 @@ Json markerOf(const vpCircleMarkerDetection &detection, const vpCircleMarkerEntr
       {"center", pointOf(ellipse.center)}, {"semi_axes", {ellipse.a, ellipse.b}}, {"angle", ellipse.angle}};
   marker["cMo"] = elementsOf(detection.cMo);
   marker["cMo2"] = detection.hasSecondPose ? elementsOf(detection.cMo2) : Json();
-  marker["log_odds"] = hasLogOdds ? Json(detection.logOdds) : Json();
+  marker["log_odds"] = finite(detection.logOdds);
   marker["covariance"] = elementsOf(detection.covariance);
   marker["visible"] = detection.visible;
   if (entry != nullptr && !entry->name.empty()) {

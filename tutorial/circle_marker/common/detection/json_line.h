@@ -50,7 +50,7 @@ struct ImageResult
 
 /*!
   \return One line of JSON, without the end of line. Angles are in radians, lengths in metres, image lengths in pixels,
-  matrices row by row. JSON has no infinity: "log_odds" is null where "cMo2" is.
+  matrices row by row. JSON has no infinity: where "cMo2" is null, "log_odds" is the largest number of double precision.
   Markers of the database have "name" and "payload" as well, structured data as they are; a camera's images have
   "time_s", "latency_ms" (null where it is not known) and "missed" as well.
 */
