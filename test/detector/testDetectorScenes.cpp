@@ -99,6 +99,28 @@ TEST(DetectorScenes, FamiliesAndSizesInOneImage)
   EXPECT_EQ(found, all);
 }
 
+// Words of 31 sectors that change colour so seldom that 23 sectors show a codeword, too, with up to two corrections.
+TEST(DetectorScenes, AMarkerIsOfTheFamilyThatExplainsIt)
+{
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector;
+  detector.setFamilies({vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23),
+                        vpCircleMarkerFamily(vpCircleMarkerFamily::BCH31R),
+                        vpCircleMarkerFamily(vpCircleMarkerFamily::BCH31)});
+  for (const int id : {226, 1207, 943, 1094, 68}) {
+    for (int i = 0; i < 6; ++i) {
+      const vpHomogeneousMatrix pose = randomPose(random, uniform(random, 50., 110.), uniform(random, 0.1, 0.8));
+      const vpImage<unsigned char> I =
+          imageOf(printed(vpCircleMarkerFamily(vpCircleMarkerFamily::BCH31), id).setPose(pose), random);
+      std::vector<vpHomogeneousMatrix> poses;
+      ASSERT_TRUE(detector.detect(I, size, straightCamera(), poses)) << id;
+      ASSERT_EQ(detector.getDetections().size(), 1u) << id;
+      EXPECT_EQ(detector.getDetections()[0].family.getName(), "bch31") << id;
+      EXPECT_EQ(detector.getDetections()[0].id, id);
+    }
+  }
+}
+
 TEST(DetectorScenes, AMarkerInTheCentreOfAnother)
 {
   // Its sheet fits the white centre, which has 0.4 of the ring's diameter.

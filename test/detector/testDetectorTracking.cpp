@@ -170,6 +170,50 @@ TEST(DetectorTracking, ALostMarkerIsFoundAgain)
   EXPECT_FALSE(searchedAll(detector));
 }
 
+TEST(DetectorTracking, AMarkerThatIsGoneForAWhileIsFoundWhereItWas)
+{
+  Random random = randomOfTest();
+  const Flight stays = {vpCircleMarkerFamily::GOLAY23, 3, {-0.4, 0.1, 1.6}, {0.003, 0., 0.}};
+  const Flight goes = {vpCircleMarkerFamily::GOLAY23, 4, {0.4, -0.1, 1.6}, {0., 0.002, 0.}};
+  const std::uint64_t background = random();
+  vpDetectorCircleMarker detector;
+  detector.setTracking(true, 1000);
+  std::vector<vpHomogeneousMatrix> poses;
+  for (int k = 0; k < 12; ++k) {
+    const bool isThere = k < 3 || k >= 8;
+    const std::vector<Flight> flights = isThere ? std::vector<Flight>{stays, goes} : std::vector<Flight>{stays};
+    detector.detect(imageAt(flights, k, background, random), size, straightCamera(), poses);
+    EXPECT_EQ(detector.getNbObjects(), flights.size()) << k;
+    EXPECT_EQ(searchedAll(detector), k == 0 || k == 3) << k;
+  }
+}
+
+// The outline of the image before then lies on the inner edge of the ring, the outer or the inner one of the track.
+TEST(DetectorTracking, ASizeThatJumpsIsNotTakenForACoveredMarker)
+{
+  Random random = randomOfTest();
+  for (const double edge : {0.8, 0.68, 0.4}) {
+    for (int i = 0; i < 6; ++i) {
+      const double tilt = uniform(random, 0.1, 0.9);
+      const Eigen::Vector3d start(uniform(random, -0.15, 0.15), uniform(random, -0.15, 0.15), 1.8);
+      const std::uint64_t background = random();
+      vpDetectorCircleMarker followed;
+      vpDetectorCircleMarker whole;
+      followed.setTracking(true, 1000);
+      std::vector<vpHomogeneousMatrix> poses;
+      for (int k = 0; k < 3; ++k) {
+        const Flight flight = {vpCircleMarkerFamily::GOLAY23, 17,   k < 2 ? start : Eigen::Vector3d(edge * start),
+                               Eigen::Vector3d::Zero(),       tilt, 0.};
+        const vpImage<unsigned char> I = imageAt({flight}, k, background, random);
+        followed.detect(I, size, straightCamera(), poses);
+        whole.detect(I, size, straightCamera(), poses);
+        ASSERT_EQ(whole.getNbObjects(), 1u);
+        ASSERT_NO_FATAL_FAILURE(expectSameMarkers(followed, whole)) << edge << ", image " << k;
+      }
+    }
+  }
+}
+
 TEST(DetectorTracking, ANewMarkerAppearsAtTheNextWholeSearch)
 {
   Random random = randomOfTest();

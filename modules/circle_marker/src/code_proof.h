@@ -38,6 +38,7 @@ struct CodeToProve
   double noise;                       //!< Standard deviation of the image's noise, grey levels.
   bool isCertain;                     //!< Whether the code was read sector by sector without doubt or correction.
   std::size_t pixels;                 //!< Number that the marker was measured on.
+  double sector;                      //!< Length of a sector at the track's middle along the shorter axis, pixels.
 };
 
 /*!

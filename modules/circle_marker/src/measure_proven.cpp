@@ -49,11 +49,17 @@ constexpr double leastOddsIfOverExposed = 20.;
 // How often another code is measured: the first was read at a pose that the code did not yet help to measure.
 constexpr int mostRounds = 3;
 
-// At the track's middle, along the image's shorter axis, pixels.
-double sectorLength(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
+// At the track's middle, along the image's shorter axis, pixels. b: half of that axis.
+double sectorLength(double b, const vpCircleMarkerFamily &family)
 {
   const vpCircleMarkerLayout &layout = family.getLayout();
-  return M_PI * (layout.codeInner + layout.codeOuter) * outline.b / family.getNbSectors();
+  return M_PI * (layout.codeInner + layout.codeOuter) * b / family.getNbSectors();
+}
+
+double sectorLength(const MarkerPlane &plane, const CameraModel &camera, const vpCircleMarkerFamily &family)
+{
+  const double foreshortening = plane.rotation.col(2).dot(plane.center.normalized());
+  return sectorLength(foreshortening * frameOf(plane, camera).size, family);
 }
 
 // Sets the measured poses, as a start.
@@ -195,8 +201,9 @@ public:
         marker.isCertain = false;
         continue;
       }
-      if (!isProven(*code,
-                    {marker.family, measurement->first, sigma, isClear(marker), m_measuring.memory.pixels.size()})) {
+      const FittedPose &fit = measurement->first;
+      const double sector = sectorLength(fit.plane, m_measuring.camera, marker.family);
+      if (!isProven(*code, {marker.family, fit, sigma, isClear(marker), m_measuring.memory.pixels.size(), sector})) {
         return std::nullopt;
       }
       std::optional<Recognition> other;
@@ -238,12 +245,12 @@ private:
 
 bool wantsProof(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
 {
-  return family.isCoded() && sectorLength(outline, family) < clearSector;
+  return family.isCoded() && sectorLength(outline.b, family) < clearSector;
 }
 
 bool mayBeUncertain(const EllipseParameters &outline, const vpCircleMarkerFamily &family)
 {
-  return family.isCoded() && sectorLength(outline, family) < doubtfulSector;
+  return family.isCoded() && sectorLength(outline.b, family) < doubtfulSector;
 }
 
 bool mayBeOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,

@@ -139,6 +139,7 @@ private:
   circle_marker::SoughtCenters soughtCenters() const;
   bool searchRegions(const Visit &visit);
   void searchWhole(const Visit &visit);
+  bool followAll(const Visit &visit, const std::vector<circle_marker::PixelBox> &boxes);
   bool followOutlines(const Visit &visit, const std::vector<circle_marker::PixelBox> &boxes);
   bool examineRegions(const Visit &visit);
   void searchRegion(const Visit &visit, const circle_marker::PixelBox &box);
@@ -200,6 +201,7 @@ private:
   circle_marker::OutlineFitter m_follower;            //!< Finds them where they are expected.
   circle_marker::MarkerTracks m_tracks;               //!< Markers of the last images.
   unsigned int m_sinceWhole = 0;                      //!< Images since a whole one was searched.
+  bool m_readsWholeOnly = false;                      //!< Whether nothing is read as covered, blurred or in doubt.
   std::vector<circle_marker::SeenMarker> m_seen;      //!< Markers of the last image.
   std::vector<circle_marker::SeenMarker> m_inRegions; //!< Those of a search of its regions that did not find all.
   bool m_hadRegions = false;                          //!< Whether the regions of the last image were searched in vain.

@@ -51,6 +51,9 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   while (seen && !examination.marker && examination.attempt < m_attempts.size() && !visit.deadline.hasPassed()) {
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
+    if (attempt.kind != ReadingKind::WHOLE && m_readsWholeOnly) {
+      continue;
+    }
     if (attempt.kind != ReadingKind::WHOLE) {
       examination.marker = readInDoubt(visit, *seen, family, attempt.kind);
       if (examination.marker && attempt.kind == ReadingKind::UNCERTAIN) {
@@ -136,7 +139,9 @@ void vpDetectorCircleMarker::Impl::allowBlurred(const Visit &visit, const Outlin
     quietZone = std::min(quietZone, family.getLayout().quietZone);
   }
   std::size_t allowed = 0;
-  for (std::size_t i = 0; isAsked && i < outlines.size() && allowed < mostBlurred && !visit.deadline.hasPassed(); ++i) {
+  for (std::size_t i = 0;
+       isAsked && !m_readsWholeOnly && i < outlines.size() && allowed < mostBlurred && !visit.deadline.hasPassed();
+       ++i) {
     m_examinations[i].mayBeBlurred =
         !outlines[i].isThin && looksBlurred(visit.I, outlines[i].ellipse, !hasRings, quietZone);
     allowed += m_examinations[i].mayBeBlurred ? 1 : 0;
@@ -150,6 +155,12 @@ void vpDetectorCircleMarker::Impl::readWhole(const Visit &visit, OutlineInImage 
   ReadingTrace trace;
   Judged<Recognition> marker =
       recognise(seen, family, settings.decode, keepsDebug ? &trace : nullptr, examination.mayBeBlurred, visit.deadline);
+  const bool isOther =
+      marker && std::any_of(settings.families.begin(), settings.families.end(),
+                            [&](const auto &other) { return isRatherOf(seen, family, other, settings.decode); });
+  if (isOther) {
+    marker = vpCircleMarkerReject::NO_CODEWORD;
+  }
   if (keepsDebug) {
     examination.candidates.push_back(candidateOf(seen.outline, family, marker.reason()));
     addReading(trace, family, visit.camera, examination.candidates.back());

@@ -72,9 +72,7 @@ bool vpDetectorCircleMarker::Impl::searchRegions(const Visit &visit)
   for (const PixelBox &box : boxes) {
     searched.push_back(vpRect(box.left, box.top, box.width(), box.height()));
   }
-  // What the rooms see is kept of a search only.
-  const bool areFollowed = !keepsDebug && followOutlines(visit, boxes) && examineRegions(visit);
-  if (!areFollowed) {
+  if (!followAll(visit, boxes)) {
     m_regionOutlines.clear();
     for (const PixelBox &box : boxes) {
       searchRegion(visit, box);
@@ -93,6 +91,23 @@ bool vpDetectorCircleMarker::Impl::searchRegions(const Visit &visit)
   m_tracks.follow(m_seen, width, height);
   ++m_sinceWhole;
   return true;
+}
+
+/*!
+  Looks for the outlines of the markers where they are expected. Another edge of the print may lie there, the inner one
+  of the ring or the track's; then the marker looks like one of which a part is covered.
+  \return Whether all are there, and what was whole is whole.
+*/
+bool vpDetectorCircleMarker::Impl::followAll(const Visit &visit, const std::vector<PixelBox> &boxes)
+{
+  // What the rooms see is kept of a search only; and where something is lost no outline is expected.
+  if (keepsDebug || m_tracks.haveLost() || !followOutlines(visit, boxes)) {
+    return false;
+  }
+  m_readsWholeOnly = m_tracks.areWhole();
+  const bool areThere = examineRegions(visit) && m_tracks.haveAll(m_seen, true);
+  m_readsWholeOnly = false;
+  return areThere;
 }
 
 /*! The outlines of the regions through the rooms after them; whether all markers that are followed are there. */
@@ -158,7 +173,8 @@ void vpDetectorCircleMarker::Impl::keepSeen(const Outlines &outlines)
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     if (m_examinations[i].isFound) {
       const Recognition &marker = m_measured[m_examinations[i].place].marker;
-      m_seen.push_back({marker.family.getType(), marker.code.id, outlines[i].ellipse});
+      const bool isWhole = marker.isCertain && !marker.seen && !marker.blurred && !isPartMissing(outlines[i].support);
+      m_seen.push_back({marker.family.getType(), marker.code.id, outlines[i].ellipse, isWhole});
     }
   }
 }
@@ -200,7 +216,8 @@ void vpDetectorCircleMarker::Impl::forgetTracks()
 /*!
   Follows markers from image to image: their outlines are looked for where they are expected, then in regions around
   these places, which takes a fraction of the time. The whole image is searched while there is no marker, when one is
-  lost, and every \e fullSearchPeriod images, so that new ones are found. What is found of a marker is what a search of
+  lost, and every \e fullSearchPeriod images, so that new ones are found. A lost one is looked for where it was for 30
+  images more, as long as there are others. What is found of a marker is what a search of
   the whole image finds of it. A search of the whole image that a timeout cuts short does not count: one of the next
   two is whole again, and markers that were not reached are not forgotten.
 

@@ -43,12 +43,12 @@ FittedPose fitThatLeaves(double left, double correlation = 0.99)
 }
 
 bool proves(double odds, const FittedPose &fit, double noise, bool isCertain, double unexplained = 0.8,
-            const vpCircleMarkerFamily &family = bch, std::size_t pixels = 200)
+            const vpCircleMarkerFamily &family = bch, std::size_t pixels = 200, double sector = 1.)
 {
   LikelyCode code;
   code.odds = odds;
   code.unexplained = unexplained;
-  return isProven(code, {family, fit, noise, isCertain, pixels});
+  return isProven(code, {family, fit, noise, isCertain, pixels, sector});
 }
 } // namespace
 
@@ -91,6 +91,7 @@ TEST(CodeProof, OverwhelmingOddsNeedNotIfNoiseAloneIsLeft)
   EXPECT_FALSE(proves(999., fitThatLeaves(3.1), 2., false, 3.9));
   EXPECT_FALSE(proves(1001., fitThatLeaves(3.2), 2., false, 3.9));
   EXPECT_TRUE(proves(1001., fitThatLeaves(3.2), 2., true, 1.5)) << "as any other";
+  EXPECT_FALSE(proves(1001., fitThatLeaves(3.1), 2., false, 3.9, bch, 200, 1.2)) << "sectors are long enough to tell";
   FittedPose covered = fitThatLeaves(3.1); // noise is told from most of the pixels, whatever the others are
   covered.inliers = 0.84;
   EXPECT_FALSE(proves(1001., covered, 2., false, 3.9));

@@ -159,12 +159,74 @@ TEST(MarkerTracks, WhatThereWasNoTimeForIsStillExpected)
     tracks.follow({first, second}, width, height);
     tracks.follow({first, moved}, width, height);
     tracks.follow({first}, width, height, isCutShort);
-    EXPECT_EQ(tracks.predict(width, height).size(), isCutShort ? 2u : 1u);
+    EXPECT_EQ(tracks.predict(width, height).size(), 2u);
+    EXPECT_EQ(tracks.haveAll({first}), !isCutShort);
     ASSERT_EQ(tracks.getExpected().size(), isCutShort ? 2u : 1u);
     if (isCutShort) { // it goes on as it did, in the image that was not looked at, too
       EXPECT_NEAR((tracks.getExpected()[1].center - Eigen::Vector2d(465., 306.)).norm(), 0., 1e-9);
     }
   }
+}
+
+TEST(MarkerTracks, ALostOneIsLookedForWhereItWasButNotWaitedFor)
+{
+  const SeenMarker first = seenAt(150., 150., 40., 1);
+  const SeenMarker second = seenAt(450., 300., 40., 2);
+  MarkerTracks tracks;
+  tracks.follow({first, seenAt(445., 298., 40., 2)}, width, height);
+  tracks.follow({first, second}, width, height);
+  EXPECT_FALSE(tracks.haveLost());
+  for (int image = 0; image < 30; ++image) {
+    tracks.follow({first}, width, height);
+    const std::vector<PixelBox> boxes = tracks.predict(width, height);
+    ASSERT_EQ(boxes.size(), 2u) << image;
+    EXPECT_TRUE(contains(boxes[1], seenAt(455., 302., 40., 2).outline, 8.)) << "where it was expected, and no farther";
+    EXPECT_EQ(tracks.getExpected().size(), 1u);
+    EXPECT_TRUE(tracks.haveLost());
+    EXPECT_TRUE(tracks.haveAll({first}));
+    EXPECT_TRUE(tracks.haveAll({first, second}));
+  }
+  MarkerTracks again = tracks;
+  again.follow({first, second}, width, height);
+  EXPECT_FALSE(again.haveLost()) << "it is there again";
+  tracks.follow({first}, width, height);
+  EXPECT_FALSE(tracks.haveLost()) << "a second is over";
+  EXPECT_EQ(tracks.predict(width, height).size(), 1u);
+}
+
+TEST(MarkerTracks, WhereAllAreLostTheWholeImageIsLookedAt)
+{
+  MarkerTracks tracks;
+  tracks.follow({seenAt(150., 150., 40., 1)}, width, height);
+  tracks.follow({}, width, height);
+  EXPECT_TRUE(tracks.predict(width, height).empty());
+}
+
+TEST(MarkerTracks, WhatTurnsUpElsewhereIsNotLost)
+{
+  MarkerTracks tracks;
+  const SeenMarker first = seenAt(150., 150., 40., 1);
+  tracks.follow({first, seenAt(550., 400., 30., 2)}, width, height);
+  tracks.follow({first, seenAt(150., 400., 30., 2)}, width, height);
+  EXPECT_FALSE(tracks.haveLost());
+}
+
+TEST(MarkerTracks, WhatWasWholeHasToBeWholeIfThatIsAsked)
+{
+  const SeenMarker whole = seenAt(150., 150.);
+  SeenMarker part = whole;
+  part.isWhole = false;
+  MarkerTracks tracks;
+  tracks.follow({whole}, width, height);
+  tracks.predict(width, height);
+  EXPECT_TRUE(tracks.areWhole());
+  EXPECT_TRUE(tracks.haveAll({part}));
+  EXPECT_FALSE(tracks.haveAll({part}, true));
+  EXPECT_TRUE(tracks.haveAll({whole}, true));
+  tracks.follow({part}, width, height);
+  tracks.predict(width, height);
+  EXPECT_FALSE(tracks.areWhole());
+  EXPECT_TRUE(tracks.haveAll({part}, true));
 }
 
 TEST(MarkerTracks, WhatIsExpectedOutsideOfTheImageIsNot)

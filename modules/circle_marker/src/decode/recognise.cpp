@@ -43,6 +43,9 @@ constexpr double leastSectorPixels = 1.;
 constexpr double leastRingSemiMinor = 3.7;
 // Share of the outline that must be seen where no code proves the marker.
 constexpr double leastSupport = 0.75;
+// Of two families the one whose sectors leave less than this share of what the other's leave is the right one: of 43
+// bch31 that were read as a golay23, too, they left a fourth at most (private counts; testDetectorFamilies has some).
+constexpr double clearlyLess = 0.5;
 // A ring whose measured inner radius is this near to the family's own is taken for one of that family's ratio: by the
 // steps of the profile, and by the blur of its inner edge in pixels, which matters on small rings.
 constexpr double sameRatio = 0.03;
@@ -230,6 +233,18 @@ Judged<Recognition> recogniseShape(OutlineInImage &seen, const vpCircleMarkerFam
   }
   return farthest;
 }
+// What sectors of any grey leave of the track, at the pose at which they leave least, as a share of the ring's
+// contrast.
+double leastResidual(OutlineInImage &seen, const vpCircleMarkerFamily &family)
+{
+  double least = HUGE_VAL;
+  for (std::size_t pose = 0; pose < seen.poses.size(); ++pose) {
+    if (const Judged<SectorReading> &sectors = seen.sectorsAt(pose, family)) {
+      least = std::min(least, sectors->residual);
+    }
+  }
+  return least;
+}
 } // namespace
 
 Judged<Recognition> recognise(OutlineInImage &seen, const vpCircleMarkerFamily &family, const DecodeSettings &settings,
@@ -257,6 +272,16 @@ Judged<Recognition> recognise(OutlineInImage &seen, const vpCircleMarkerFamily &
     }
   }
   return recogniseCode(seen, family, settings, trace);
+}
+
+bool isRatherOf(OutlineInImage &seen, const vpCircleMarkerFamily &family, const vpCircleMarkerFamily &other,
+                const DecodeSettings &settings)
+{
+  if (!family.isCoded() || !other.isCoded() || family.getNbSectors() == other.getNbSectors() ||
+      !recogniseCode(seen, other, settings, nullptr)) {
+    return false;
+  }
+  return leastResidual(seen, other) < clearlyLess * leastResidual(seen, family);
 }
 
 std::optional<Recognition> recogniseUncertain(OutlineInImage &seen, const vpCircleMarkerFamily &family, double noise)

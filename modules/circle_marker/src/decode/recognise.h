@@ -69,6 +69,14 @@ Judged<Recognition> recognise(OutlineInImage &seen, const vpCircleMarkerFamily &
                               const Deadline &deadline = Deadline());
 
 /*!
+  Whether what was read as a marker of a family is rather one of another that is sought, too, with another number of
+  sectors: its sectors are read as a code as well, and leave clearly less of the track. Where few sectors change colour
+  a marker of 31 sectors may look like a codeword of 23.
+*/
+bool isRatherOf(OutlineInImage &seen, const vpCircleMarkerFamily &family, const vpCircleMarkerFamily &other,
+                const DecodeSettings &settings);
+
+/*!
   A marker whose code could not be read for certain: with the codeword that agrees best, which has to be proven once it
   is measured. Nothing if the inside has no asymmetry as a code's, the track is not made of sectors, or no dark ring
   shows all around an outline that was not found as that of a thin ring.

@@ -19,6 +19,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -36,6 +38,8 @@ constexpr double reachWithCode = 3.;
 constexpr double clearOfSide = 4.;
 // Corners of boxes are multiples of this: the quarter-size image starts its chains on every second row.
 constexpr int grid = 8;
+// A lost marker is looked for where it was in as many images, a second of most cameras: a hand or a blur passes.
+constexpr unsigned int mostMissed = 30;
 // Beyond this share of the image, boxes take as long as the whole.
 constexpr double mostOfImage = 0.6;
 
@@ -97,6 +101,14 @@ void MarkerTracks::clear()
   m_tracks.clear();
 }
 
+// Of a marker with a code that turns up elsewhere nothing is left where it was.
+void MarkerTracks::forget(const SeenMarker &marker)
+{
+  for (Track &old : m_before) {
+    old.isSeen = old.isSeen || (old.marker.family == marker.family && old.marker.id == marker.id);
+  }
+}
+
 void MarkerTracks::follow(const std::vector<SeenMarker> &seen, int width, int height, bool isCutShort)
 {
   m_width = width;
@@ -106,8 +118,8 @@ void MarkerTracks::follow(const std::vector<SeenMarker> &seen, int width, int he
   for (const SeenMarker &marker : seen) {
     Track track;
     track.marker = marker;
-    const Track *nearest = nullptr;
-    for (const Track &old : m_before) {
+    Track *nearest = nullptr;
+    for (Track &old : m_before) {
       if (old.mayBe(marker) && (nearest == nullptr || old.distanceTo(marker) < nearest->distanceTo(marker))) {
         nearest = &old;
       }
@@ -116,18 +128,28 @@ void MarkerTracks::follow(const std::vector<SeenMarker> &seen, int width, int he
       track.hasSpeed = true;
       track.speed = marker.outline.center - nearest->marker.outline.center;
       track.growth = marker.outline.a - nearest->marker.outline.a;
+      nearest->isSeen = true;
+    }
+    else if (marker.id >= 0 && !isCutShort) { // it has jumped to here, and is not where it was
+      forget(marker);
     }
     m_tracks.push_back(track);
   }
   for (Track &old : m_before) {
-    const auto isOld = [&old](const SeenMarker &marker) { return old.mayBe(marker); };
     const EllipseParameters expected = old.expected();
     const bool isInside = expected.center.x() >= 0. && expected.center.y() >= 0. && expected.center.x() < width &&
                           expected.center.y() < height;
-    if (isCutShort && isInside && std::none_of(seen.begin(), seen.end(), isOld)) {
-      old.marker.outline = expected;
-      m_tracks.push_back(old);
+    if (!isInside || old.missed >= mostMissed || old.isSeen) {
+      continue;
     }
+    old.marker.outline = expected;
+    if (!isCutShort) { // where it goes from there nobody knows
+      ++old.missed;
+      old.hasSpeed = false;
+      old.speed.setZero();
+      old.growth = 0.;
+    }
+    m_tracks.push_back(old);
   }
 }
 
@@ -138,30 +160,48 @@ const std::vector<PixelBox> &MarkerTracks::predict(int width, int height)
   if (width != m_width || height != m_height) {
     return m_boxes;
   }
+  if (std::all_of(m_tracks.begin(), m_tracks.end(), std::mem_fn(&Track::isLost))) { // then the whole image is looked at
+    return m_boxes;
+  }
   for (const Track &track : m_tracks) {
-    EllipseParameters predicted = track.marker.outline;
-    predicted.center += track.speed;
-    const double margin = leastMargin + marginOfRadius * predicted.a + track.slack() + std::max(2. * track.growth, 0.);
-    PixelBox box = boxAround(predicted, margin, width, height);
-    box.left = roundedDown(box.left);
-    box.top = roundedDown(box.top);
-    box.right = std::min(roundedDown(box.right + grid - 1), width);
-    box.bottom = std::min(roundedDown(box.bottom + grid - 1), height);
-    constexpr int leastSide = 16; // pixels: less is on its way out of the image
-    if (box.width() >= leastSide && box.height() >= leastSide) {
-      m_boxes.push_back(box);
-      m_expected.push_back(track.expected());
-    }
+    addBox(track, width, height);
   }
   mergeBoxes();
-  double area = 0.;
-  for (const PixelBox &box : m_boxes) {
-    area += static_cast<double>(box.width()) * box.height();
+  if (haveLost() && areaOfBoxes() > mostOfImage * width * height) {
+    m_tracks.erase(std::remove_if(m_tracks.begin(), m_tracks.end(), std::mem_fn(&Track::isLost)), m_tracks.end());
+    return predict(width, height);
   }
-  if (area > mostOfImage * width * height) {
+  if (areaOfBoxes() > mostOfImage * width * height) {
     m_boxes.clear();
   }
   return m_boxes;
+}
+
+// The box of one marker, unless it is on its way out of the image.
+void MarkerTracks::addBox(const Track &track, int width, int height)
+{
+  EllipseParameters predicted = track.marker.outline;
+  predicted.center += track.speed;
+  const double margin = leastMargin + marginOfRadius * predicted.a + track.slack() + std::max(2. * track.growth, 0.);
+  PixelBox box = boxAround(predicted, margin, width, height);
+  box.left = roundedDown(box.left);
+  box.top = roundedDown(box.top);
+  box.right = std::min(roundedDown(box.right + grid - 1), width);
+  box.bottom = std::min(roundedDown(box.bottom + grid - 1), height);
+  constexpr int leastSide = 16; // pixels
+  if (box.width() >= leastSide && box.height() >= leastSide) {
+    m_boxes.push_back(box);
+    if (!track.isLost()) {
+      m_expected.push_back(track.expected());
+    }
+  }
+}
+
+double MarkerTracks::areaOfBoxes() const
+{
+  return std::accumulate(m_boxes.begin(), m_boxes.end(), 0., [](double sum, const PixelBox &box) {
+    return sum + static_cast<double>(box.width()) * box.height();
+  });
 }
 
 // Makes one of any two boxes that touch, until none do.
@@ -192,14 +232,27 @@ bool MarkerTracks::isInTheOpen(const EllipseParameters &outline) const
   });
 }
 
-bool MarkerTracks::haveAll(const std::vector<SeenMarker> &seen) const
+bool MarkerTracks::haveLost() const
 {
-  return seen.size() >= m_tracks.size() &&
-         std::all_of(m_tracks.begin(), m_tracks.end(),
-                     [&](const Track &track) {
-                       return std::any_of(seen.begin(), seen.end(),
-                                          [&](const SeenMarker &marker) { return track.mayBe(marker); });
-                     }) &&
+  return std::any_of(m_tracks.begin(), m_tracks.end(), std::mem_fn(&Track::isLost));
+}
+
+bool MarkerTracks::areWhole() const
+{
+  return std::all_of(m_tracks.begin(), m_tracks.end(),
+                     [](const Track &track) { return track.isLost() || track.marker.isWhole; });
+}
+
+bool MarkerTracks::haveAll(const std::vector<SeenMarker> &seen, bool mustBeWhole) const
+{
+  const auto isSeen = [&](const Track &track) {
+    return track.isLost() || std::any_of(seen.begin(), seen.end(), [&](const SeenMarker &marker) {
+             return track.mayBe(marker) && (marker.isWhole || !track.marker.isWhole || !mustBeWhole);
+           });
+  };
+  const auto lost =
+      static_cast<std::size_t>(std::count_if(m_tracks.begin(), m_tracks.end(), std::mem_fn(&Track::isLost)));
+  return seen.size() + lost >= m_tracks.size() && std::all_of(m_tracks.begin(), m_tracks.end(), isSeen) &&
          std::all_of(seen.begin(), seen.end(), [&](const SeenMarker &marker) { return isInTheOpen(marker.outline); });
 }
 } // namespace circle_marker

@@ -36,6 +36,7 @@ struct SeenMarker
   vpCircleMarkerFamily::vpType family = vpCircleMarkerFamily::GOLAY23;
   int id = -1;               //!< -1 without a code.
   EllipseParameters outline; //!< Pixels.
+  bool isWhole = true;       //!< Whether it was read for certain, with nothing in front of it.
 };
 
 /*!
@@ -49,7 +50,8 @@ public:
   void clear();
 
   /*!
-    Takes note of the markers of an image, all of them: those that are not among them are forgotten.
+    Takes note of the markers of an image, all of them. Those that are not among them are lost: they are looked for
+    where they were, for some images more, and not waited for.
     \param seen : The markers.
     \param width, height : Of the image, pixels.
     \param isCutShort : Whether there was no time to look for all: then those that were not seen are still expected.
@@ -67,11 +69,19 @@ public:
   /*! The outlines that are expected in the boxes of the last predict(), pixels of the image. */
   const std::vector<EllipseParameters> &getExpected() const { return m_expected; }
 
+  /*! Whether there are boxes of lost markers, too: no outline is expected in them. */
+  bool haveLost() const;
+
+  /*! Whether all that are followed were whole: then so they are where they are expected, or it is something else. */
+  bool areWhole() const;
+
   /*!
-    Whether all markers that are followed are among those seen in the boxes, and whole: an outline that comes near to
+    Whether all markers that are followed are among those seen in the boxes, in one piece: an outline that comes near to
     the side of its box may go on beyond it.
+    \param seen : The markers that are seen.
+    \param mustBeWhole : Whether one that was whole has to be whole again.
   */
-  bool haveAll(const std::vector<SeenMarker> &seen) const;
+  bool haveAll(const std::vector<SeenMarker> &seen, bool mustBeWhole = false) const;
 
 private:
   /*! One marker. */
@@ -81,6 +91,11 @@ private:
     bool hasSpeed = false;         //!< Whether it was there in the image before, too.
     Eigen::Vector2d speed{0., 0.}; //!< Of its centre, pixels an image.
     double growth = 0.;            //!< Of its semi-major axis, pixels an image.
+    unsigned int missed = 0;       //!< Images since it was seen.
+    bool isSeen = false;           //!< Whether a marker of the next image is taken for it.
+
+    /*! Whether it was not there in the last image. */
+    bool isLost() const { return missed > 0; }
 
     EllipseParameters expected() const;
     double slack() const;
@@ -88,7 +103,10 @@ private:
     bool mayBe(const SeenMarker &other) const;
   };
 
+  void forget(const SeenMarker &marker);
   bool isInTheOpen(const EllipseParameters &outline) const;
+  void addBox(const Track &track, int width, int height);
+  double areaOfBoxes() const;
   void mergeBoxes();
 
   std::vector<Track> m_tracks;               //!< The markers of the last image.
