@@ -33,8 +33,9 @@ void vpDetectorCircleMarker::setFamily(const vpCircleMarkerFamily &family)
 }
 
 /*!
-  \param families : Families to look for, at least one. An outline that could be of several is given to the first:
-  every marker of bch31r is also one of bch31 (its code is a part of that code), so name bch31r before bch31.
+  \param families : Families to look for, at least one. An outline that could be of several is given to the first,
+  unless another with another number of sectors explains it clearly better. Every marker of bch31r is also one of bch31
+  (its code is a part of that code), so name bch31r before bch31.
   \exception vpException::badValue : If there is none.
 */
 void vpDetectorCircleMarker::setFamilies(const std::vector<vpCircleMarkerFamily> &families)
