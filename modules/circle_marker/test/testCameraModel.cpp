@@ -63,6 +63,35 @@ TEST(CameraModel, ToPixelIsTheInverseOfToMeter)
   }
 }
 
+// Wherever kud leads: ViSP's inverse is not asked.
+TEST(CameraModel, SoItIsFarFromTheAxisOfALensThatDistortsALot)
+{
+  Random random = randomOfTest();
+  for (const double kdu : {-0.3, -0.05, 0.3, 1.}) {
+    vpCameraParameters cam;
+    cam.initPersProjWithDistortion(300., 310., 639.5, 479.5, -kdu, kdu);
+    const CameraModel camera(cam);
+    for (int i = 0; i < 2000; ++i) {
+      const Eigen::Vector2d pixel = randomPixel(random);
+      const double squaredRadius =
+          Eigen::Vector2d((pixel.x() - 639.5) / 300., (pixel.y() - 479.5) / 310.).squaredNorm();
+      if (1. + 3. * kdu * squaredRadius > 0.02) { // short of where the lens folds over
+        EXPECT_LT((camera.toPixel(camera.toMeter(pixel)) - pixel).norm(), 1e-8) << pixel.transpose() << ", " << kdu;
+      }
+    }
+  }
+}
+
+TEST(CameraModel, BeyondTheFoldOfALensThereIsNoPixel)
+{
+  vpCameraParameters cam;
+  cam.initPersProjWithDistortion(300., 300., 639.5, 479.5, 0.1, -0.1);
+  const double fold = 2. / (3. * std::sqrt(0.3)); // the largest normalised radius
+  EXPECT_NEAR(CameraModel(cam).toPixel(Eigen::Vector2d((1. - 1e-6) * fold, 0.)).x(), 639.5 + 300. / std::sqrt(0.3), 1.);
+  EXPECT_FALSE(CameraModel(cam).toPixel(Eigen::Vector2d(1.01 * fold, 0.)).allFinite());
+  EXPECT_FALSE(CameraModel(cam).toPixel(Eigen::Vector2d(0., -100.)).allFinite());
+}
+
 TEST(CameraModel, ToMeterIsViSPs)
 {
   Random random = randomOfTest();

@@ -17,6 +17,9 @@
 
 #include "support/camera_model.h"
 
+#include <cmath>
+#include <limits>
+
 #include <Eigen/LU>
 
 #include <visp3/core/vpMeterPixelConversion.h>
@@ -24,6 +27,30 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+namespace {
+// The distance rho of a pixel from the principal point, in focal lengths, whose normalised radius is r: the least
+// positive solution of r = rho (1 + kdu rho^2), not a number without one. From rho = r Newton's method comes from one
+// side, whatever the sign of kdu; where the cube prevails a step leaves two thirds.
+double pixelRadius(double r, double kdu)
+{
+  constexpr int mostSteps = 40;
+  constexpr double precision = 1e-12; // of r
+  double rho = r;
+  for (int i = 0; i < mostSteps; ++i) {
+    const double left = r - rho * (1. + kdu * rho * rho);
+    const double slope = 1. + 3. * kdu * rho * rho;
+    if (!(slope > 0.)) { // beyond where the lens folds over
+      break;
+    }
+    if (std::abs(left) <= precision * r) {
+      return rho + left / slope;
+    }
+    rho += left / slope;
+  }
+  return std::numeric_limits<double>::quiet_NaN();
+}
+} // namespace
+
 Eigen::Vector2d CameraModel::toMeter(const Eigen::Vector2d &pixel) const
 {
   Eigen::Vector2d meter;
@@ -57,6 +84,12 @@ Eigen::Matrix<double, 2, 4> CameraModel::meterByParameters(const Eigen::Vector2d
 
 Eigen::Vector2d CameraModel::toPixel(const Eigen::Vector2d &meter) const
 {
+  if (m_camera.get_projModel() == vpCameraParameters::perspectiveProjWithDistortion) {
+    const double r = meter.norm();
+    const double scale = r > 0. ? pixelRadius(r, m_camera.get_kdu()) / r : 1.;
+    return Eigen::Vector2d(m_camera.get_u0() + m_camera.get_px() * scale * meter.x(),
+                           m_camera.get_v0() + m_camera.get_py() * scale * meter.y());
+  }
   Eigen::Vector2d pixel;
   vpMeterPixelConversion::convertPoint(m_camera, meter.x(), meter.y(), pixel.x(), pixel.y());
   if (isLinear()) {

@@ -45,22 +45,18 @@ public:
   Eigen::Matrix<double, 2, 4> meterByParameters(const Eigen::Vector2d &pixel) const;
 
   /*!
-    The pixel whose normalised coordinates are \e meter: inverse of toMeter(). Without distortion a formula; else by at
-    most ten steps of Newton's method from ViSP's approximate inverse, until one is shorter than 1e-9 pixels.
+    The pixel whose normalised coordinates are \e meter: inverse of toMeter(). Without distortion a formula; with kdu
+    Newton's method for the radius alone, from a side from which it cannot miss; of Kannala and Brandt's model at most
+    ten steps of Newton's method from ViSP's inverse, until one is shorter than 1e-9 pixels.
 
-    It always returns where it ends, and does not say whether that is the pixel. With distortion it need not be, and may
-    be anywhere, in the image too, infinite or not a number:
     - Where kdu < 0 no pixel on its side of the principal point has a normalised radius beyond 2 / (3 sqrt(-3 kdu)), at
-      the pixel radius 1 / sqrt(-3 kdu), where the lens folds over. Short of it the pixel inside of the fold is found,
-      unless kud is far from the inverse of kdu; next to it ten steps may not be enough.
-    - Where kdu >= 0 each direction has one pixel, but ten steps reach it only so far: with kdu = -kud = 0.1 to a
-      normalised radius of 6 (80 degrees off the axis), with 0.4 and -0.3 to 4.
+      the pixel radius 1 / sqrt(-3 kdu), where the lens folds over: beyond it the result is not a number.
+    - Where kdu >= 0 each direction has one pixel.
     - Of Kannala and Brandt's model the start is the pixel, wherever its polynomial grows; toMeter() ends before 90
-      degrees off the axis.
+      degrees off the axis. Beyond it may be anywhere, in the image too, infinite or not a number.
 
-    Whoever has to know compares toMeter() of the result with \e meter. Those who sample the image do not: what is
-    outside of it, or not a number, has no grey level (bilinear()), and a wrong place inside of it comes only of
-    directions that are far beyond the field of view.
+    Those who sample the image need not ask: what is outside of it, or not a number, has no grey level (bilinear()), and
+    a wrong place inside of it comes only of directions that are far beyond the field of view.
   */
   Eigen::Vector2d toPixel(const Eigen::Vector2d &meter) const;
 
