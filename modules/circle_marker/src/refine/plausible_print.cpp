@@ -41,9 +41,9 @@ constexpr double leastSizeOfAnyGamma = 20.;
 // SheetBend.
 constexpr double mostSpread = 0.03;
 constexpr double mostBend = 0.12;
-// And by a blur as wide as the marker: its standard deviation in outer radii. That of a motion or a disc of half a
-// radius is less than a third of this.
-constexpr double mostBlur = 0.6;
+// And by a blur nearly as wide as the marker: its standard deviation in outer radii. That of a motion by half a radius
+// is a third of this, that of a disc of as much three fifths. (Stripes were explained by 0.49.)
+constexpr double mostBlur = 0.43;
 // Or by one of another size than was seen, by this factor of the distance.
 constexpr double mostNearer = 1.5;
 // A code in doubt, which mostly is none, is given up as soon as a fit explains it by what no print under a lens is: by
