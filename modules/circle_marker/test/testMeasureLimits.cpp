@@ -55,8 +55,8 @@ const std::vector<Limit> limits = {
        fit.plane.bend.bow = 0.6 * x;
        fit.plane.bend.saddle.x() = 0.8 * x;
      }},
-    {"blur, of a radius of 40 pixels", 24., [](FittedPose &fit, double x) { fit.photometry.blur.sigma = x; }},
-    {"blur along a motion, of a radius of 40 pixels", 24.,
+    {"blur, of a radius of 40 pixels", 0.43 * 40., [](FittedPose &fit, double x) { fit.photometry.blur.sigma = x; }},
+    {"blur along a motion, of a radius of 40 pixels", 0.43 * 40.,
      [](FittedPose &fit, double x) {
        fit.photometry.blur.elongation = Eigen::Vector2d(0.5, 0.);
        fit.photometry.blur.sigma = x / std::exp(0.5);
