@@ -68,7 +68,7 @@ constexpr double leastInliersAlone = 0.85;
 // ... and where sectors are shorter than this along the image's shorter axis, pixels, so that the comparison is as
 // coarse: those of 8 to 14 pixels width are of 1.0 at most. Of longer ones it is sectors that contradict: rings with 3
 // to 5 sectors of 31 or 23 of another colour than any codeword's, 20 to 34 pixels wide, were read as codes with odds of
-// e^1160 to e^2060, and left 2.8 to 4.8.
+// e^1160 to e^2060, and left 2.8 to 4.8 (private counts).
 constexpr double mostSectorAlone = 1.1;
 // At a wrong pose, too, one codeword is the best, by up to e^64; but it does not leave the image's noise alone. Of a
 // right one no more is left than this factor, and this share of the contrast for what the model lacks: the higher its

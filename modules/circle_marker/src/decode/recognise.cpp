@@ -44,7 +44,7 @@ constexpr double leastRingSemiMinor = 3.7;
 // Share of the outline that must be seen where no code proves the marker.
 constexpr double leastSupport = 0.75;
 // Of two families the one whose sectors leave less than this share of what the other's leave is the right one: of 43
-// bch31 that were read as a golay23, too, they left a fourth at most (private counts; testDetectorFamilies has some).
+// bch31 that were read as a golay23, too, they left a fourth at most (private counts; testDetectorScenes has some).
 constexpr double clearlyLess = 0.5;
 // A ring whose measured inner radius is this near to the family's own is taken for one of that family's ratio: by the
 // steps of the profile, and by the blur of its inner edge in pixels, which matters on small rings.
@@ -233,6 +233,7 @@ Judged<Recognition> recogniseShape(OutlineInImage &seen, const vpCircleMarkerFam
   }
   return farthest;
 }
+
 // What sectors of any grey leave of the track, at the pose at which they leave least, as a share of the ring's
 // contrast.
 double leastResidual(OutlineInImage &seen, const vpCircleMarkerFamily &family)
