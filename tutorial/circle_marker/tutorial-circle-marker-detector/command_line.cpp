@@ -88,7 +88,8 @@ Request parseCommandLine(int argc, const char *const argv[])
                  "tables of them, made if needed; cpu_ms is then longer");
   app.add_flag("--display-off", displayOff, "Open no window; in the window a click goes on, a right click quits");
   app.footer("Lines have \"image\", \"width\", \"height\", \"cpu_ms\" (time of the process for detection and pose) and "
-             "\"markers\".\nWhere a marker has one pose only, its \"cMo2\" is null and its \"log_odds\" 1.8e308.\nA frame of a "
+             "\"markers\".\nWhere a marker has one pose only, its \"cMo2\" is null and its \"log_odds\" 1.8e308.\nA "
+             "frame of a "
              "video is named video.mp4#12. An image that cannot be read is reported and has "
              "no line; the program then ends with 1.");
   if (!parse(app, argc, argv)) {
