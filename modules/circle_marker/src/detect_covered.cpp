@@ -87,6 +87,22 @@ constexpr double mostLackingOfBlurred = 0.08;
 // 20 grey levels on a contrast of 170. A codeword that was read at a wrong pose leaves more.
 constexpr double mostNoiseOfCorrected = 0.12;
 
+// Of words that are farther than the code can correct most are near to some codeword.
+unsigned int mostCorrected(const vpCircleMarkerFamily &family, unsigned int maximumHamming)
+{
+  return std::min(maximumHamming, codeOf(family).getCapacity());
+}
+
+// What the track of a measured marker shows that its codeword has not.
+OtherColours otherColoursOf(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
+                            const Measurement &measurement, MeasureMemory &memory)
+{
+  const TrackPixels pixels(I, camera, ringOf(measurement, marker.poses[0], camera), marker.family, memory.track);
+  WordEvidence evidence(pixels);
+  evidence.turnTo(0.);
+  return evidence.otherColours(marker.family.getCodeword(marker.code.id));
+}
+
 // What makes a whole marker's reading or fit doubtful.
 struct Doubts
 {
@@ -209,28 +225,24 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
 bool showsOtherCode(const vpImage<unsigned char> &I, const CameraModel &camera, Recognition &marker,
                     const Measurement &measurement, unsigned int maximumHamming, MeasureMemory &memory)
 {
-  const bool isAsked = marker.seen || measurement.first.inliers < inliersOfCertain;
+  const bool isAsked = marker.seen || marker.code.hamming > 0 || measurement.first.inliers < inliersOfCertain;
   if (!marker.family.isCoded() || marker.blurred || !isAsked) {
     return false;
   }
-  const TrackPixels pixels(I, camera, ringOf(measurement, marker.poses[0], camera), marker.family, memory.track);
-  WordEvidence evidence(pixels);
-  evidence.turnTo(0.);
-  const OtherColours other = evidence.otherColours(marker.family.getCodeword(marker.code.id));
+  const OtherColours other = otherColoursOf(I, camera, marker, measurement, memory);
   // Sectors that were corrected are another one in plain sight; of either colour half of them at most.
   const double sectors = marker.family.getNbSectors();
   const double corrected = marker.code.hamming / sectors;
   const double correctedOfEither = (marker.code.hamming / 2) / sectors;
-  if (marker.seen) {
-    marker.code.hamming = std::max(marker.code.hamming, other.sectors);
+  const unsigned int most = mostCorrected(marker.family, maximumHamming);
+  if (!marker.seen) {
+    return other.sectors > most || other.ink + other.paper > leastOtherOfWhole + corrected;
   }
+  marker.code.hamming = std::max(marker.code.hamming, other.sectors);
   const unsigned int capacity = codeOf(marker.family).getCapacity();
-  // No more than the code can correct: of words that are farther most are near to some codeword.
-  const unsigned int inProportion = (std::min(maximumHamming, capacity) * capacity + usualCapacity - 1) / usualCapacity;
-  const unsigned int mostOfCovered = std::min(inProportion, capacity);
-  return marker.seen ? marker.code.hamming > mostOfCovered || other.ink > leastInkOfCovered + corrected ||
-                           std::min(other.ink, other.paper) > leastEitherOfCovered + correctedOfEither
-                     : other.ink + other.paper > leastOtherOfWhole + corrected;
+  const unsigned int inProportion = (most * capacity + usualCapacity - 1) / usualCapacity;
+  return marker.code.hamming > std::min(inProportion, capacity) || other.ink > leastInkOfCovered + corrected ||
+         std::min(other.ink, other.paper) > leastEitherOfCovered + correctedOfEither;
 }
 
 std::optional<Recognition> withoutWhatCovers(const vpImage<unsigned char> &I, const CameraModel &camera,

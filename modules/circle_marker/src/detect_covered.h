@@ -94,7 +94,8 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
 /*!
   Whether the code track shows another code in plain sight, though by what the fit left out it was taken for this one
   with something in front: at the measured pose its pixels are ink where the codeword has white and paper where it has
-  black, between ring and centre as they should be. Asked of covered markers, and of others if pixels were left out.
+  black, between ring and centre as they should be. Asked of covered markers, and of others if pixels were left out or
+  sectors corrected.
   \param I, camera : Image and camera.
   \param marker : The marker. Of a covered one the sectors in plain sight that are mostly of the other colour count as
   corrected from then on: hardly anything that covers a track ends at the borders of its sectors.

@@ -210,6 +210,37 @@ TEST(WordEvidence, AnotherCodeShowsInPlainSightAndACoverDoesNot)
   }
 }
 
+// Of any print, a codeword's or not. What a cover of another grey level hides is not told.
+TEST(WordEvidence, TellsWhichSectorsArePrinted)
+{
+  TrackMemory memory;
+  Random random = randomOfTest();
+  for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31}) {
+    const vpCircleMarkerFamily family(type);
+    const unsigned int sectors = family.getNbSectors();
+    const CyclicCode::Word all = (CyclicCode::Word(1) << sectors) - 1;
+    for (int i = 0; i < 10; ++i) {
+      MarkerScene marker = scene(random, family);
+      marker.word = static_cast<CyclicCode::Word>(random()) & all;
+      for (const unsigned int hidden : {0U, 6U}) {
+        const double grey = marker.black + 0.4 * (marker.white - marker.black);
+        const TrackPixels pixels(covered(marker, hidden, grey), CameraModel(marker.camera()), measuredRing(marker),
+                                 family, memory);
+        WordEvidence evidence(pixels);
+        evidence.turnTo(0.);
+        const PrintedSectors printed = evidence.printedSectors();
+        const CyclicCode::Word seen = all >> hidden; // the first sectors are hidden
+        const auto count = [](CyclicCode::Word word) { return std::bitset<32>(word).count(); };
+        EXPECT_EQ(printed.black & seen & ~marker.word, 0u);
+        EXPECT_EQ(printed.white & seen & marker.word, 0u);
+        // But for those beside the cover.
+        EXPECT_GE(count((printed.black | printed.white) & seen), sectors - hidden - (hidden > 0 ? 2 : 0));
+        EXPECT_LE(count((printed.black | printed.white) & ~seen), 1u);
+      }
+    }
+  }
+}
+
 TEST(WordEvidence, WhiteThatIsCutOffIsBelievedLessThanWhatTheSensorTells)
 {
   TrackMemory memory;

@@ -48,6 +48,8 @@ constexpr float nearPrint = 0.12f;
 constexpr unsigned int coverFades = 16;
 // What a sector says for itself that may be covered by something like it: the odds that it is not covered.
 constexpr double doubtful = 0.5;
+// A sector's colour is told if so much of it is.
+constexpr float leastTold = 0.5f;
 // What the edges of a sector say, rims and borders, which no cover of one grey level has.
 constexpr double edgeOdds = 4.;
 } // namespace
@@ -304,6 +306,49 @@ LikeliestWord WordEvidence::likeliest(const CyclicCode &code) const
     result.odds -= static_cast<double>(m_evidence[k][pattern ^ 4U]);
   }
   return result;
+}
+
+PrintedSectors WordEvidence::printedSectors() const
+{
+  // Viterbi's algorithm around the track, once for each four colours that it may begin with: the pattern of a sector
+  // goes on with the last four colours of that before it.
+  constexpr unsigned int states = patterns / 2;
+  using Scores = std::array<float, states>;
+  constexpr float none = -std::numeric_limits<float>::infinity();
+  float best = none;
+  PrintedSectors printed;
+  for (unsigned int first = 0; first < states; ++first) {
+    std::array<std::array<std::uint8_t, states>, mostSectors> dropped; // the colour before the four
+    Scores scores;
+    scores.fill(none);
+    scores[first] = 0.f;
+    for (unsigned int k = 0; k < m_sectors; ++k) {
+      Scores next;
+      for (unsigned int state = 0; state < states; ++state) { // the four last colours of the sector's pattern
+        const unsigned int before = state >> 1;               // of the pattern before it, but for its first
+        const float white = scores[before] + m_evidence[k][state];
+        const float black = scores[before | (states / 2)] + m_evidence[k][state | states];
+        dropped[k][state] = black > white ? 1 : 0;
+        next[state] = std::max(white, black);
+      }
+      scores = next;
+    }
+    if (scores[first] <= best) {
+      continue;
+    }
+    best = scores[first];
+    printed = {};
+    unsigned int state = first;
+    for (unsigned int k = m_sectors; k-- > 0;) {
+      const unsigned int pattern = state | (dropped[k][state] != 0 ? states : 0U);
+      const CyclicCode::Word bit = CyclicCode::Word(1) << (m_sectors - 1 - k);
+      if (m_told[k][pattern] > leastTold) {
+        ((pattern & 4U) != 0 ? printed.black : printed.white) |= bit;
+      }
+      state = pattern >> 1;
+    }
+  }
+  return printed;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -46,6 +46,13 @@ struct OtherColours
   unsigned int sectors = 0; //!< Sectors that are of the other colour above all.
 };
 
+/*! Sectors whose colour is told, bit by bit; the first sector is the highest bit of so many as there are sectors. */
+struct PrintedSectors
+{
+  CyclicCode::Word black = 0;
+  CyclicCode::Word white = 0;
+};
+
 /*!
   What the pixels of a covered code track say of words.
 
@@ -100,6 +107,13 @@ public:
 
   /*! Pixels that show one sector above all, of each sector in the mean. */
   double pixelsPerSector() const;
+
+  /*!
+    What is printed if nothing covers the track: of all words, codewords or not, that for which most speaks. A
+    codeword's print is its own, where it is seen; where it is covered the word is what the cover is most like.
+    \return The sectors that the pixels tell to be black, and those that they tell to be white; the others are neither.
+  */
+  PrintedSectors printedSectors() const;
 
   /*! The codeword for which most speaks; it may be a constant one, which is no marker's. */
   LikeliestWord likeliest(const CyclicCode &code) const;

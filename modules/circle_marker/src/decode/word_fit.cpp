@@ -184,6 +184,8 @@ OtherColours WordEvidence::otherColours(CyclicCode::Word word) const
 {
   const std::vector<Pixel> &pixels = m_pixels.getMemory().pixels;
   const std::uint64_t bits = extended(word, m_sectors);
+  const PrintedSectors printed = printedSectors();
+  const std::uint64_t printedBits = extended((word & ~printed.white) | printed.black, m_sectors);
   const unsigned int parts = partsPerSector * m_sectors;
   PartCounts counts;
   // Pixels that show a sector alone, with those that are of another colour, and pixels beside it.
@@ -205,7 +207,9 @@ OtherColours WordEvidence::otherColours(CyclicCode::Word word) const
     }
     else if (pixels[i].track < 2. * m_slack) {
       counts.beside[part].add(!isSo);
-      beside[placed.sector].add(!isSo);
+      // Next to a sector of another colour the blur brings some of that.
+      const bool isPrint = (placed.byColours >> coloursAt(printedBits, placed.sector, m_sectors)) & 1U;
+      beside[placed.sector].add(!isPrint);
     }
   }
   OtherColours other;
@@ -219,8 +223,10 @@ OtherColours WordEvidence::otherColours(CyclicCode::Word word) const
     }
   }
   for (unsigned int sector = 0; sector < m_sectors; ++sector) {
+    const bool isBlack = isSectorBlack(word, sector, m_sectors);
     const bool isOther =
-        alone[sector].all >= fewestAlone && alone[sector].unexplained >= leastOfSector * alone[sector].all;
+        (alone[sector].all >= fewestAlone && alone[sector].unexplained >= leastOfSector * alone[sector].all) ||
+        isSectorBlack(isBlack ? printed.white : printed.black, sector, m_sectors);
     const bool isSeen = beside[sector].unexplained <= mostUnexplainedBesideSector * beside[sector].all;
     other.sectors += isOther && isSeen ? 1 : 0;
   }
