@@ -154,10 +154,10 @@ TEST(DetectorPhantoms, BrightSpotsWithADarkRimHaveNoCode)
 }
 
 // A code of another number of sectors may be like one of ours but for some of them, which were taken for covered: of
-// these 600 eight were found as one, with all of the ring in sight, and six still are.
+// these 600 eight were found as one, with all of the ring in sight, and five still are.
 TEST(DetectorPhantoms, MarkersOfAnotherFamilyHaveNoCode)
 {
-  constexpr std::size_t most = 6;
+  constexpr std::size_t most = 5;
   Random random = randomOfTest();
   std::size_t found = 0;
   for (const auto &[printedType, soughtType] :
@@ -188,21 +188,17 @@ TEST(DetectorPhantoms, MarkersOfAnotherFamilyHaveNoCode)
 }
 
 // A clean print of a word that is no code's: three sectors from the nearest codeword, one more than are corrected.
-// Those that are white and should be black were taken for covered by something like paper: 28 of these 480 were read,
-// and two still are.
+// Those that are white and should be black were taken for covered by something like paper: 28 of these 480 were read.
 TEST(DetectorPhantoms, PrintsOfOtherWordsHaveNoCode)
 {
-  constexpr std::size_t most = 2;
   Random random = randomOfTest();
-  std::size_t found = 0;
   for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31}) {
-    found += readOfOtherWords(random, type, 3);
+    EXPECT_EQ(readOfOtherWords(random, type, 3), 0u);
   }
-  EXPECT_LE(found, most);
 }
 
-// Where no pixel shows a sector alone the likeliest of all words tells what is printed: 11 and 22 of these 240 each were
-// read, their sectors taken for covered one by one, and one and five still are.
+// Where no pixel shows a sector alone the likeliest of all words tells what is printed: 11 and 22 of these 240 each
+// were read, their sectors taken for covered one by one, and one and five still are.
 TEST(DetectorPhantoms, SmallPrintsOfOtherWordsHaveNoCode)
 {
   Random random = randomOfTest();
@@ -210,13 +206,12 @@ TEST(DetectorPhantoms, SmallPrintsOfOtherWordsHaveNoCode)
   EXPECT_LE(readOfOtherWords(random, vpCircleMarkerFamily::BCH31, 3, 30., 60.), 5u);
 }
 
-// Of bch31r, whose codewords few words are near to, up to four black sectors that look like paper may be covered;
-// hardly a word that is farther is read.
+// Of bch31r, whose codewords few words are near to, up to four black sectors that look like paper may be covered; no
+// word that is farther is read.
 TEST(DetectorPhantoms, PrintsOfFartherWordsAreNotOfTheRobustCode)
 {
-  constexpr std::size_t most = 2;
   Random random = randomOfTest();
-  EXPECT_LE(readOfOtherWords(random, vpCircleMarkerFamily::BCH31R, 5), most);
+  EXPECT_EQ(readOfOtherWords(random, vpCircleMarkerFamily::BCH31R, 5), 0u);
   EXPECT_EQ(readOfOtherWords(random, vpCircleMarkerFamily::BCH31R, 6), 0u);
 }
 

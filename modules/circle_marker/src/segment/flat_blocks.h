@@ -34,8 +34,8 @@ struct FlatBlocks
 };
 
 /*!
-  Asks blocks evenly over the image. The flattest tenth of them are flat, unless a few are flatter by far, as the paper of
-  markers is where texture fills the image. Nothing if the image has too few whose grey levels are not cut off.
+  Asks blocks evenly over the image. The flattest tenth of them are flat, unless a few are flatter by far, as the paper
+  of markers is where texture fills the image. Nothing if the image has too few whose grey levels are not cut off.
 */
 std::optional<FlatBlocks> findFlatBlocks(const vpImage<unsigned char> &I);
 } // namespace circle_marker
