@@ -43,7 +43,7 @@ std::size_t duplicates(const std::vector<vpCircleMarkerDetection> &found)
 
 //! How many of 240 clean prints, of diameters in pixels, of words so many sectors from the nearest codeword are read.
 std::size_t readOfOtherWords(Random &random, const vpCircleMarkerFamily &family, unsigned int distance,
-                             double least = 60., double most = 130.)
+                             double smallest = 60., double largest = 130.)
 {
   const unsigned int sectors = family.getNbSectors();
   const vpCircleMarkerLayout &layout = family.getLayout();
@@ -73,7 +73,7 @@ std::size_t readOfOtherWords(Random &random, const vpCircleMarkerFamily &family,
       vpSimulatedMarker marker = vpSimulatedMarker::rings({{{layout.ringInner, 1.}}}, size);
       marker.setTrack(layout.codeInner, layout.codeOuter, sectors, word);
       simulator.addMarker(
-          marker.setPose(randomPose(random, uniform(random, least, most), uniform(random, 0., 0.9),
+          marker.setPose(randomPose(random, uniform(random, smallest, largest), uniform(random, 0., 0.9),
                                     width * (i % columns + 0.5) / columns, height * (i / columns + 0.5) / 3.)));
     }
     vpImage<unsigned char> I;
@@ -197,7 +197,7 @@ TEST(DetectorPhantoms, PrintsOfOtherWordsHaveNoCode)
   }
 }
 
-// Where no pixel shows a sector alone the likeliest of all words tells what is printed: 11 and 22 of these 240 each
+// Where few pixels show a sector alone the likeliest of all words tells what is printed: 11 and 22 of these 240 each
 // were read, their sectors taken for covered one by one, and one and five still are.
 TEST(DetectorPhantoms, SmallPrintsOfOtherWordsHaveNoCode)
 {
@@ -206,8 +206,8 @@ TEST(DetectorPhantoms, SmallPrintsOfOtherWordsHaveNoCode)
   EXPECT_LE(readOfOtherWords(random, vpCircleMarkerFamily::BCH31, 3, 30., 60.), 5u);
 }
 
-// Of bch31r, whose codewords few words are near to, up to four black sectors that look like paper may be covered; no
-// word that is farther is read.
+// Of bch31r, whose codewords few words are near to, up to four black sectors that look like paper may be covered; none
+// of 240 words each that are farther is read.
 TEST(DetectorPhantoms, PrintsOfFartherWordsAreNotOfTheRobustCode)
 {
   Random random = randomOfTest();

@@ -68,7 +68,7 @@ constexpr double leastOtherOfWhole = 0.03;
 // hides gap and centre as well, and few are like both. (Of 2115 right ones the most was 0.032 and 0.003.)
 constexpr double leastInkOfCovered = 0.035;
 constexpr double leastEitherOfCovered = 0.004;
-// A whole marker of which more pixels than this share are explained is not asked.
+// A whole marker of which more pixels than this share are explained is not asked unless a sector was corrected.
 constexpr double inliersOfCertain = 0.88;
 
 // Capacity, sectors, of the codes by which that was told, golay23 and bch31: of all words of 23 sectors 13.5 % lie

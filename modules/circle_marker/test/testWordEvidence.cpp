@@ -200,11 +200,13 @@ TEST(WordEvidence, AnotherCodeShowsInPlainSightAndACoverDoesNot)
     EXPECT_GT(plain.ink + plain.paper, 0.1 * (white + black));
     EXPECT_LT(plain.ink, 1.2 * white);
     EXPECT_LT(plain.paper, 1.2 * black);
+    EXPECT_GT(plain.sectors, 0.7 * sectors * (white + black));
     // Of its own word nothing is left; and a cover like ink hides gap and centre as well, one like paper the ring.
     for (const double grey : {marker.black, marker.white}) {
       for (const unsigned int hidden : {0U, 9U}) {
         const OtherColours own = otherColours(covered(marker, hidden, grey), marker.word);
         EXPECT_LT(own.ink + own.paper, 0.01) << hidden << " sectors are hidden";
+        EXPECT_EQ(own.sectors, 0u) << hidden << " sectors are hidden";
       }
     }
   }

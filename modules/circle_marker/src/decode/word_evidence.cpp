@@ -48,7 +48,7 @@ constexpr float nearPrint = 0.12f;
 constexpr unsigned int coverFades = 16;
 // What a sector says for itself that may be covered by something like it: the odds that it is not covered.
 constexpr double doubtful = 0.5;
-// A sector's colour is told if so much of it is.
+// A sector's colour is told if it is by so much, by two pixels, and the other one is not.
 constexpr float leastTold = 0.5f;
 // What the edges of a sector say, rims and borders, which no cover of one grey level has.
 constexpr double edgeOdds = 4.;
@@ -342,7 +342,7 @@ PrintedSectors WordEvidence::printedSectors() const
     for (unsigned int k = m_sectors; k-- > 0;) {
       const unsigned int pattern = state | (dropped[k][state] != 0 ? states : 0U);
       const CyclicCode::Word bit = CyclicCode::Word(1) << (m_sectors - 1 - k);
-      if (m_told[k][pattern] > leastTold) {
+      if (m_told[k][pattern] > leastTold && m_told[k][pattern ^ 4U] <= leastTold) {
         ((pattern & 4U) != 0 ? printed.black : printed.white) |= bit;
       }
       state = pattern >> 1;

@@ -95,7 +95,7 @@ public:
   /*!
     What is ink or paper from rim to rim of the track though a word has the other, where ring, gap and centre beside it
     are what they should be: hardly anything that covers a track ends at its rims, but another code does. And sector by
-    sector, by the pixels that show one alone.
+    sector, by the pixels that show one alone, or by the likeliest of all prints (printedSectors()).
   */
   OtherColours otherColours(CyclicCode::Word word) const;
 

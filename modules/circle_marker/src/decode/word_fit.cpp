@@ -227,7 +227,8 @@ OtherColours WordEvidence::otherColours(CyclicCode::Word word) const
     const bool isOther =
         (alone[sector].all >= fewestAlone && alone[sector].unexplained >= leastOfSector * alone[sector].all) ||
         isSectorBlack(isBlack ? printed.white : printed.black, sector, m_sectors);
-    const bool isSeen = beside[sector].unexplained <= mostUnexplainedBesideSector * beside[sector].all;
+    const bool isSeen =
+        beside[sector].all > 0 && beside[sector].unexplained <= mostUnexplainedBesideSector * beside[sector].all;
     other.sectors += isOther && isSeen ? 1 : 0;
   }
   const double perPixel = 1. / std::max(onTrack, 1.);

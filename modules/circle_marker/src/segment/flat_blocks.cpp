@@ -43,6 +43,10 @@ constexpr double mostOfFlattest = 4.;
 // less of the tenth's variance than this: of noise that 16 pixels share they have an eighth of it and more.
 constexpr std::size_t fewBlocks = 3;
 constexpr double leastOfTenth = 1. / 16.;
+static_assert(fewBlocks <= flatShare * leastBlocks, "the few are a part of the tenth");
+// And if they have any noise, here its variance, grey levels^2, 0.45 squared: blocks that JPEG has left nothing of, and
+// drawings beside a photograph, tell nothing of the noise elsewhere.
+constexpr double leastOfFew = 0.2;
 // Pixels that share their noise share it with so many others at most: the quarters of a block tell no more.
 constexpr double mostSharing = 16.;
 
@@ -109,7 +113,6 @@ std::size_t blocksOf(const vpImage<unsigned char> &I, std::array<Block, mostBloc
   }
   return count;
 }
-
 } // namespace
 
 std::optional<FlatBlocks> findFlatBlocks(const vpImage<unsigned char> &I)
@@ -131,7 +134,7 @@ std::optional<FlatBlocks> findFlatBlocks(const vpImage<unsigned char> &I)
 
   FlatBlocks flat;
   flat.medianVariance = middle->variance;
-  if (few->variance < leastOfTenth * tenth->variance) {
+  if (few->variance >= leastOfFew && few->variance < leastOfTenth * tenth->variance) {
     flat.variance = few->variance;
     return flat;
   }

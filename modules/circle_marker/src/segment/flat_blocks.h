@@ -28,8 +28,8 @@ namespace circle_marker {
 /*! How much blocks of an image, 8 x 8 pixels, differ from the planes nearest to their grey levels. */
 struct FlatBlocks
 {
-  double variance = 0.;       //!< Of a pixel where the image is flattest, grey levels^2.
-  double sharing = 1.;        //!< Number of pixels that share their noise there, see ImageNoise.
+  double variance = 0.; //!< Of a pixel where the image is flattest, grey levels^2.
+  double sharing = 1.;  //!< Number of pixels that share their noise there, see ImageNoise; 1 if few blocks are flat.
   double medianVariance = 0.; //!< Of a pixel of the median block, grey levels^2.
 };
 

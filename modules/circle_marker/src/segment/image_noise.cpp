@@ -38,8 +38,8 @@ constexpr double leastShared = 0.45;
 // Fine texture in more than half of an image, such as a checker of some pixels, is noise for the Laplacians: where the
 // flattest blocks have clearly less...
 constexpr double clearlyLess = 1. / clearlyMore;
-// ...and half of the blocks vary by more than noise of that size, times this, squared. Independent noise that differs
-// from place to place, with the light, has 1.
+// ...and the median block's variance is more than this times that of such noise. Independent noise that differs from
+// place to place, with the light, has 1.
 constexpr double mostOfNoise = 3.;
 // Pixels beside texture share their noise where it is by so many: of independent noise 25 flat blocks tell 1 +- 0.28,
 // behind a colour sensor it is 2.4.
@@ -77,7 +77,8 @@ double independentNoise(const vpImage<unsigned char> &I)
   return placed / (6. * 0.6745);
 }
 
-// Of noise that is independent most of a block's variance is what the Laplacians say; of texture, little of it.
+// Of noise that is independent most of a block's variance is what the Laplacians say; of texture, little of it. Flat
+// blocks with less than rounding makes of slopes are of drawings, and say nothing of what is beside them.
 bool isTexture(double laplacians, double flat, double medianVariance)
 {
   return flat >= leastShared && clearlyLess * laplacians > flat &&

@@ -41,7 +41,8 @@ struct ImageNoise
   Independent noise is the median absolute response to the difference of two Laplacians, which is blind to planes and
   straight edges (Immerkaer, "Fast noise variance estimation", 1996; the median in place of his mean keeps it from
   rising with texture). Of noise that pixels share those Laplacians see a half to a tenth. The flattest blocks of an
-  image show all of it, and how many pixels share it; they decide where they have clearly more.
+  image show all of it, and how many pixels share it; they decide where they have clearly more,
+  or clearly less and what the Laplacians see is texture.
 */
 ImageNoise estimateNoise(const vpImage<unsigned char> &I);
 } // namespace circle_marker
