@@ -134,6 +134,9 @@ TEST_P(DetectorOcclusion, MarkersAreFoundAndRightlyReadOrNotAtAll)
     detector.detect(I, size, straightCamera(), poses);
     for (const vpCircleMarkerDetection &detection : detector.getDetections()) {
       const bool isHere = vpImagePoint::distance(detection.center, truth[0].center) < 0.1 * diameter;
+      if (!family.isCoded() && !isHere) {
+        continue; // clutter has rings of its own
+      }
       EXPECT_TRUE(isHere && detection.id == id) << "frame " << frame << ": id " << detection.id << " for " << id;
       found += isHere && detection.id == id ? 1 : 0;
       sum += mahalanobis(cMo, detection.cMo, detection.covariance, detection.dof) / detection.dof;
@@ -163,7 +166,13 @@ INSTANTIATE_TEST_SUITE_P(Floors, DetectorOcclusion,
                                          Floor{vpCircleMarkerFamily::BCH31R, "bar", 0.2, 54, 1., 0., 1.5},
                                          // Mostly read as whole ones: what covers them was in the fit, or was a shadow.
                                          Floor{vpCircleMarkerFamily::GOLAY23, "halfplane", 0.15, 57, 1., 0., 1., 1.25},
-                                         Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.15, 57, 1., 0., 1., 1.25}),
+                                         Floor{vpCircleMarkerFamily::BCH31R, "halfplane", 0.15, 57, 1., 0., 1., 1.25},
+                                         // No code proves them; of 60 none was found before they were sought.
+                                         Floor{vpCircleMarkerFamily::RING, "halfplane", 0.2, 54},
+                                         Floor{vpCircleMarkerFamily::RING, "halfplane", 0.4, 54},
+                                         Floor{vpCircleMarkerFamily::RING, "bar", 0.15, 54},
+                                         Floor{vpCircleMarkerFamily::RING, "threebars", 0.2, 54},
+                                         Floor{vpCircleMarkerFamily::RING, "blob", 0.4, 54}),
                          [](const auto &info) {
                            const Floor &floor = info.param;
                            const auto hundredths = [](double value) {

@@ -283,6 +283,9 @@ void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector
         attempts.push_back({coded, kind});
       }
     }
+    if (families[first].getType() == vpCircleMarkerFamily::RING) {
+      attempts.push_back({first, ReadingKind::COVERED});
+    }
   }
 }
 } // namespace circle_marker

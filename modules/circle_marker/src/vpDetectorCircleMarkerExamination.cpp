@@ -144,7 +144,7 @@ void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outli
   }
   const auto rankOf = [this](std::size_t i) { // the certain ones as they are, the others by their margin
     const Recognition &marker = *m_examinations[i].marker;
-    const int group = isCoveredRing(m_examinations[i]) ? 2 : marker.isCertain ? 0 : 1;
+    const int group = marker.seen && !marker.measuredRing ? 2 : marker.isCertain ? 0 : 1;
     return std::make_tuple(group, group > 0 ? -marker.code.margin : 0., i);
   };
   std::sort(m_chosen.begin(), m_chosen.end(), [&](std::size_t i, std::size_t j) { return rankOf(i) < rankOf(j); });

@@ -42,6 +42,9 @@ namespace {
 // is refined, its semi-axis is known to some hundredths of a pixel.
 constexpr double leastMeasuredRing = 3.8; // its semi-minor axis, pixels
 
+// Share of a plain ring that must be visible, at its measured pose: behind a straight edge over 40 % of it 0.55 is.
+constexpr double leastVisibleRing = 0.4;
+
 // Residuals larger than this, grey levels, are not noise; unless the image has so much, by which it is known to a half.
 constexpr double muchNoise = 32.;
 constexpr double mostOfNoise = 1.5;
@@ -261,6 +264,9 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
                          : !marker.seen        ? outline.support
                          : settings.refinePose ? visibleEdgeOf(visit.I, visit.camera, marker, *measurement)
                                                : marker.seen->shareOfRing();
+  if (marker.seen && !marker.family.isCoded() && visible < leastVisibleRing) {
+    return false;
+  }
   vpCircleMarkerDetection &detection = measured.detection;
   putReport(marker, *measurement, visit.camera, visible, settings.zAlignedWithCameraAxis, detection);
   if (settings.refinePose && marker.family.getType() == vpCircleMarkerFamily::RING &&

@@ -78,7 +78,7 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
     std::optional<Recognition> marker;
     if (attempt.kind != ReadingKind::WHOLE) {
       marker = readInDoubt(visit, seen, family, attempt.kind);
-      if (marker && attempt.kind == ReadingKind::COVERED) {
+      if (marker && attempt.kind == ReadingKind::COVERED && family.isCoded()) {
         marker = recogniseByMeasuredRing(kept, camera, *marker, family, settings.decode, workspace.measuring, never,
                                          known.noise);
       }

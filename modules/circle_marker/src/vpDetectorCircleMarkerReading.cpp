@@ -88,7 +88,7 @@ void vpDetectorCircleMarker::Impl::keepAsMarker(const EllipseCandidate &outline,
 /*! Whether an outline was read as the ring of a marker that something covers, whose code is not read yet. */
 bool vpDetectorCircleMarker::Impl::isCoveredRing(const Examination &examination) const
 {
-  return examination.marker && examination.marker->seen && !examination.marker->measuredRing;
+  return examination.marker && examination.marker->isRingOfCode;
 }
 
 /*! The code of such a ring; false, and it has no marker any more, if it has none. */
@@ -113,6 +113,9 @@ std::optional<Recognition> vpDetectorCircleMarker::Impl::readInDoubt(const Visit
                                                                      const vpCircleMarkerFamily &family,
                                                                      ReadingKind kind) const
 {
+  if (kind == ReadingKind::COVERED && !family.isCoded()) { // only what is left of a fit tells whether it is one
+    return settings.refinePose ? recogniseCoveredShape(seen, family) : std::nullopt;
+  }
   if (kind == ReadingKind::COVERED) {
     return recogniseCoveredRing(visit.I, visit.camera, seen.poses, seen.outline, family);
   }

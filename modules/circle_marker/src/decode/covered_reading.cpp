@@ -24,6 +24,7 @@
 #include <Eigen/Cholesky>
 
 #include "decode/marker_light.h"
+#include "decode/usual_ink.h"
 #include "support/bilinear.h"
 #include "support/median.h"
 #include "support/normal_distribution.h"
@@ -33,8 +34,6 @@ namespace circle_marker {
 namespace {
 // Share of the ring that must be seen: a straight edge that covers 40 % of the disc leaves 55 % of the ring.
 constexpr double leastRing = 0.34;
-// The ink of one marker differs from direction to direction by this ratio, through noise and an outline that is off.
-constexpr double sameInk = 1.5;
 // Share of the light that the ink takes away, at least: contrast of 25 grey levels on paper of 130 leaves 0.19.
 constexpr double leastInk = 0.1;
 // A direction shows the ring if its step is this share of the usual one, on its outside, and on its inside.
@@ -189,21 +188,11 @@ private:
       }
     }
     const double all = std::ceil(static_cast<double>(m_count) / stride);
-    std::sort(inks.begin(), inks.begin() + static_cast<std::ptrdiff_t>(count));
-    std::size_t most = 0;
-    std::size_t end = 0;
-    for (std::size_t begin = 0; begin < count; ++begin) {
-      while (end < count && inks[end] <= sameInk * inks[begin]) {
-        ++end;
-      }
-      if (end - begin > most) {
-        most = end - begin;
-        m_ink = inks[(begin + end) / 2];
-      }
-    }
-    if (static_cast<double>(most) < least * all) {
+    const UsualInk usual = usualInk(inks.data(), count);
+    if (static_cast<double>(usual.agreeing) < least * all) {
       return false;
     }
+    m_ink = usual.ink;
     std::size_t shown = 0;
     for (unsigned int i = 0; i < m_count; i += stride) {
       Direction &direction = m_directions[i];

@@ -24,6 +24,7 @@
 #include "decode/blurred_reading.h"
 #include "decode/code_asymmetry.h"
 #include "decode/covered_reading.h"
+#include "decode/covered_shape.h"
 #include "decode/edge_width.h"
 #include "decode/radial_profile.h"
 #include "decode/shape_evidence.h"
@@ -53,6 +54,8 @@ constexpr double sameRatioPixels = 0.8;
 
 // Of a covered marker fewer pixels are left to read: its semi-minor axis, pixels, is twice as large at least.
 constexpr double leastCoveredSemiMinor = 6.;
+// And of a plain ring, which no code proves.
+constexpr double leastCoveredShapeSemiMinor = 8.;
 
 // Whether enough of the sectors are seen, black and white, that measuring the ring is worth while.
 bool looksLikeCode(const SectorReading &reading)
@@ -335,8 +338,32 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
   }
   Recognition result;
   result.family = vpCircleMarkerFamily::ring(family.getLayout().ringInner);
+  result.isRingOfCode = true;
   result.code.margin = changes;
   result.poses = poses;
+  result.seen = most;
+  return result;
+}
+
+std::optional<Recognition> recogniseCoveredShape(const OutlineInImage &seen, const vpCircleMarkerFamily &family)
+{
+  if (family.getType() != vpCircleMarkerFamily::RING || seen.outline.ellipse.b < leastCoveredShapeSemiMinor) {
+    return std::nullopt;
+  }
+  std::optional<SeenParts> most;
+  for (const MarkerPlane &plane : seen.poses) {
+    const auto parts = seenPartsOfRing(seen.I, seen.camera, plane, family.getLayout());
+    if (parts && (!most || parts->ring.count() > most->ring.count())) {
+      most = parts;
+    }
+  }
+  if (!most) {
+    return std::nullopt;
+  }
+  Recognition result;
+  result.family = family;
+  result.code.margin = most->shareOfRing();
+  result.poses = seen.poses;
   result.seen = most;
   return result;
 }

@@ -39,6 +39,7 @@ struct Recognition
   CodeReading code; //!< id -1 without a code.
   PosePair poses;
   std::optional<SeenParts> seen;            //!< Where something covers a part of it.
+  bool isRingOfCode = false;                //!< Whether only its ring is to be measured, before its code is read.
   std::optional<MeasuredRing> measuredRing; //!< Then its ring, which was measured before its code was read.
   bool isCertain = true;                    //!< Whether the code was read well enough; else it has to be proven.
   //! Of each sector of the code, as it was read: 0 is white, 1 is black. Where that is better than the code itself.
@@ -96,6 +97,13 @@ std::optional<Recognition> recogniseUncertain(OutlineInImage &seen, const vpCirc
 std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
                                                 const PosePair &poses, const EllipseCandidate &outline,
                                                 const vpCircleMarkerFamily &family);
+
+/*!
+  A plain ring of which something covers a part, or that reaches out of the image, with what is seen of it. It has to be
+  measured to tell whether it is one. Its margin is the share of the ring that is seen.
+  \return Nothing if it is no family of rings, the outline is small, or too little is seen.
+*/
+std::optional<Recognition> recogniseCoveredShape(const OutlineInImage &seen, const vpCircleMarkerFamily &family);
 
 /*!
   Reads the code of such a marker.

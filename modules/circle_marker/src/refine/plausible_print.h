@@ -36,6 +36,15 @@ constexpr double leastCorrelationOfMarker = 0.85;
 bool mayBePrint(const FittedPose &fit, const MarkerInImage &view, bool isCoarse);
 
 /*!
+  Whether what is seen of a plain ring, of which something covers a part, is explained but for noise.
+  \param fit : The fit to it.
+  \param view : What it was fitted to.
+  \param noise : Standard deviation of the image's noise, grey levels.
+  \param isCoarse : Whether the fit is a coarse one, which leaves more.
+*/
+bool isRingWhereSeen(const FittedPose &fit, const MarkerInImage &view, double noise, bool isCoarse);
+
+/*!
   Whether a marker's best fit explains its image, by light, ink and paper as there are.
   \param best : The fit.
   \param view : What it was fitted to.
