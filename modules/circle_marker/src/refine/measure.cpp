@@ -286,8 +286,8 @@ bool isGivenUpEarly(const MarkerInImage &view, const FittedPose *other, const Fi
 // Compares the poses once more, if the other one was given up early, and always of a plain ring that something covers:
 // an outline of which a part is missing has poses from which the fit may lead anywhere. (Behind a blob over two fifths
 // the other one of a ring of 48 pixels was 0.4 m nearer, and the mirrored one came first with odds of e^187.) Few
-// pixels tell it; all pixels, if it is not hopeless there. Whether that has led to a better pose, which may have another
-// mirrored one.
+// pixels tell it; all pixels, if it is not hopeless there. Whether that has led to a better pose, which may have
+// another mirrored one.
 bool compareAtTheirEnds(MarkerInImage &view, RankedFits &ranked, std::optional<GivenUp> &givenUp,
                         const FitSettings &settings, MarkerPattern &pattern, MeasureMemory &memory)
 {
