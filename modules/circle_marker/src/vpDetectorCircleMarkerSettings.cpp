@@ -135,7 +135,8 @@ void vpDetectorCircleMarker::setNbThreads(unsigned int threads)
   and the mirrored pose comes first more often; the covariance and the log-odds say so, but for discs that are strongly
   moved, whose smear is taken for their outline. And small codes are read sector by sector without a proof: of 2000
   golay23 of 12 to 45 pixels in any light 4 are read as others, of as many in light 2.5 times too strong 30
-  (bench-circle-marker --hardships 2000 --small --unrefined --seed 301); where poses are refined none.
+  (bench-circle-marker --hardships 2000 --small --unrefined --seed 301); where poses are refined none. Plain rings that
+  something covers are found where poses are refined only.
 */
 void vpDetectorCircleMarker::setRefinePose(bool refine)
 {
