@@ -112,6 +112,36 @@ TEST(DetectorGetPose, WideQuietZonesAreKept)
   }
 }
 
+// Half of the outline is not there: the pose is that of what is seen, whatever the size.
+TEST(DetectorGetPose, RingsThatReachOutOfTheImage)
+{
+  Random random = randomOfTest();
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::RING);
+  detector.setZAlignedWithCameraAxis(true);
+  const vpCircleMarkerFamily ring(vpCircleMarkerFamily::RING);
+  unsigned int found = 0;
+  constexpr unsigned int images = 25;
+  for (unsigned int i = 0; i < images; ++i) {
+    // Its centre is a fifth of its diameter inside of the left border.
+    const double diameter = uniform(random, 60., 120.);
+    const vpHomogeneousMatrix truth = randomPose(random, diameter, uniform(random, 0.1, 0.8), 0.2 * diameter, 240.);
+    std::vector<vpHomogeneousMatrix> cMo;
+    detector.detect(imageOf(printed(ring, -1).setPose(truth), random), size, straightCamera(), cMo);
+    for (std::size_t k = 0; k < cMo.size(); ++k) {
+      vpHomogeneousMatrix again;
+      ASSERT_TRUE(detector.getPose(k, size, straightCamera(), again)) << i;
+      EXPECT_LT(differenceOf(cMo[k], again), 1e-9) << i;
+      ASSERT_TRUE(detector.getPose(k, 2. * size, straightCamera(), again)) << i;
+      EXPECT_NEAR(again[2][3], 2. * cMo[k][2][3], 1e-6 * cMo[k][2][3]) << i;
+      const vpCircleMarkerDetection &detection = detector.getDetections()[k];
+      EXPECT_LT(detection.visible, 0.8);
+      EXPECT_LT(mahalanobis(truth, detection.cMo, detection.covariance, detection.dof), fiveSigma(detection.dof)) << i;
+      ++found;
+    }
+  }
+  EXPECT_GE(found, images - 2);
+}
+
 TEST(DetectorGetPose, WithoutACameraAndThenWithOne)
 {
   Random random = randomOfTest();
