@@ -22,6 +22,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
+
 #include "detector_scenes.h"
 
 using namespace detector_test;
@@ -107,6 +109,20 @@ TEST(DetectorDebug, AMarkerIsACandidateWithoutAReason)
   }
   EXPECT_EQ(taken, 1u);
   EXPECT_GT(pieces, 0u) << "sectors of its code";
+}
+
+// As a whole one it was none: what it was found as counts.
+TEST(DetectorDebug, ARingThatReachesOutOfTheImageHasNoReasonEither)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily ring(vpCircleMarkerFamily::RING);
+  vpDetectorCircleMarker detector(ring);
+  detector.setDebug(true);
+  ASSERT_TRUE(detector.detect(imageOf(printed(ring, -1).setPose(randomPose(random, 100., 0.4, 20., 240.)), random)));
+  const std::vector<vpCircleMarkerCandidate> &candidates = detector.getDebug().candidates;
+  EXPECT_EQ(std::count_if(candidates.begin(), candidates.end(),
+                          [](const auto &candidate) { return candidate.reason == Reject::NONE; }),
+            1);
 }
 
 TEST(DetectorDebug, WhatWasSeenInTheNegativeSaysSo)

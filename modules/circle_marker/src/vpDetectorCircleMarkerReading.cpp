@@ -56,7 +56,7 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
     }
     if (attempt.kind != ReadingKind::WHOLE) {
       examination.marker = readInDoubt(visit, *seen, family, attempt.kind);
-      if (examination.marker && attempt.kind == ReadingKind::UNCERTAIN) {
+      if (examination.marker && !isCoveredRing(examination)) { // that of a code is one when its code is read
         keepAsMarker(outline, family, examination);
       }
     }

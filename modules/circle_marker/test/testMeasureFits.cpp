@@ -187,6 +187,52 @@ TEST(MeasureFits, WhatBecomesTheBestHasItsMirrorImageFittedToo)
   EXPECT_NEAR(outcome.measurement->cost2 - outcome.measurement->cost, oddsOfTwin, 1e-9);
 }
 
+// The poses of an outline of which a part is missing may lead anywhere: one of a ring was 0.4 m nearer and hopeless,
+// and the mirrored one came first with odds of e^187.
+TEST(MeasureFits, TheOtherPoseOfACoveredRingIsTheMirrorImage)
+{
+  constexpr double oddsOfAstray = 100.;
+  for (const double diameter : {30., 80.}) {
+    const MarkerScene scene = tilted(ring, 0.5, diameter);
+    Recognition marker = recognised(scene, -1, false);
+    marker.seen = allParts(scene);
+    MarkerPlane &astray = marker.poses[1];
+    astray.rotation = turn(1., Eigen::Vector3d::UnitX());
+    astray.center *= 0.8;
+    const double nearer = astray.center.z();
+    const Outcome outcome = outcomeOf(scene, marker, true, [&](FittedPose &fit, const ScriptedFitter::Asked &) {
+      fit.noise = 0.5;
+      fit.squares += fit.plane.center.z() < 1.1 * nearer ? squaresOf(oddsOfAstray) : 0.;
+    });
+    ASSERT_TRUE(outcome.measurement && outcome.measurement->second) << diameter;
+    EXPECT_FALSE(isTwinOf(outcome.measurement->first.plane, scene)) << diameter;
+    EXPECT_LT((outcome.measurement->second->plane.rotation - mirrored(scene.plane()).rotation).norm(), 1e-9)
+        << diameter;
+  }
+}
+
+// What is seen of it leaves noise, or it is none; of a marker with all of its outline more may be left.
+TEST(MeasureFits, ACoveredRingLeavesNoiseAlone)
+{
+  const MarkerScene scene = tilted(ring, 0.5);
+  for (const bool isCovered : {true, false}) {
+    Recognition marker = recognised(scene, -1, false);
+    if (isCovered) {
+      marker.seen = allParts(scene);
+    }
+    const auto isMeasured = [&](double left, double blur) {
+      const Alter alter = [&](FittedPose &fit, const ScriptedFitter::Asked &) {
+        fit.noise = left * fit.photometry.tellableContrast();
+        fit.photometry.blur.sigma = blur * 40.; // of the radius
+      };
+      return outcomeOf(scene, marker, true, alter).measurement.has_value();
+    };
+    EXPECT_TRUE(isMeasured(0.015, 0.05));
+    EXPECT_EQ(isMeasured(0.03, 0.05), !isCovered);
+    EXPECT_EQ(isMeasured(0.015, 0.09), !isCovered);
+  }
+}
+
 // Bends cost precision: they are fitted where parts of the print pull the pose apart, and not where something covers
 // it.
 TEST(MeasureFits, BendsAreFittedWhereThePrintIsPulledApart)

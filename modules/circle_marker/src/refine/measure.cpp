@@ -300,14 +300,17 @@ bool compareAtTheirEnds(MarkerInImage &view, RankedFits &ranked, std::optional<G
   }
   RankedFits few =
       fitToTheirEnds(view, pattern, best, mirrored(best.plane), settings, memory.fewPixels, *memory.fitter);
-  if (few.fits.size() < 2 && view.marker.seen) { // it has no other pose
-    leaveBest(ranked);
-    givenUp.reset();
-    return false;
-  }
   if (few.fits.size() < 2) {
-    // From the mirrored pose, too, one comes to the best: the other is no end, and what it leaves counts as it is.
-    other->isSettled = !few.fits.empty() && isSamePose(few.fits[0], best);
+    // Whether from the mirrored pose, too, one comes to the best: then the other is no end, and what it leaves counts
+    // as it is; that of a covered ring, which may be anything, is none.
+    const bool isAlone = !few.fits.empty() && isSamePose(few.fits[0], best);
+    if (isAlone && view.marker.seen) {
+      leaveBest(ranked);
+      givenUp.reset();
+    }
+    else if (other) {
+      other->isSettled = isAlone;
+    }
     return false;
   }
   givenUp = giveUpHopeless(view, few);

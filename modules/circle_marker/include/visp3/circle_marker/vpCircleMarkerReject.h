@@ -60,7 +60,7 @@ enum class vpCircleMarkerReject
   LOW_MARGIN,         //!< The sectors agree too little with the nearest codeword.
   // A marker whose pose was refined
   UNLIKE_THE_MODEL, //!< The image does not look like the marker at any pose near by.
-  TOO_MANY,         //!< Its code is in doubt or covered, and too many that looked more like one were none: passed over.
+  TOO_MANY,         //!< Its code is in doubt, or it is covered, and too many that looked more like one were none.
   // Anything
   TIMEOUT //!< There was no time left to look.
 };
