@@ -17,12 +17,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-
-#include <algorithm>
 
 #include "detector_scenes.h"
 
