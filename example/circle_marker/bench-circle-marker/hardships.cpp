@@ -22,6 +22,8 @@
 #include <functional>
 #include <random>
 
+#include <visp3/circle_marker/vpCircleMarkerFamily.h>
+
 #include "hard_pictures.h"
 
 namespace bench {
@@ -352,9 +354,8 @@ Scene makeHardScene(const Hardship &hardship, const std::string &family, std::ui
   const double margin = 0.85 * draft.diameter; // half the diagonal of the sheet
   draft.u = uniform(random, margin, imageWidth - margin);
   draft.v = uniform(random, margin, imageHeight - margin);
-  const bool isRing = family == "ring";
-  constexpr double ringRatio = 0.8; // of the family "ring" as it is printed
-  const int id = isRing ? -1 : static_cast<int>(random() % vpSimulatedMarker::codewords(family).size());
+  const bool isCoded = vpCircleMarkerFamily::fromName(family).isCoded();
+  const int id = isCoded ? static_cast<int>(random() % vpSimulatedMarker::codewords(family).size()) : -1;
   constexpr unsigned int shapes = 30; // as many a pixel as on the larger frames
   // A thin quiet zone is on black ground; the other frames are on clutter.
   const bool onBlack = hardship.name == "quiet zone";
@@ -378,8 +379,7 @@ Scene makeHardScene(const Hardship &hardship, const std::string &family, std::ui
   }
   draft.simulator.setPhotometry(draft.photometry);
   draft.simulator.setMotion(motion);
-  vpSimulatedMarker marker =
-      isRing ? vpSimulatedMarker::ring(markerSize, ringRatio) : vpSimulatedMarker::circle(family, id, markerSize);
+  vpSimulatedMarker marker = vpSimulatedMarker::circle(family, id, markerSize);
   draft.simulator.addMarker(marker.setSheetSide(sheet).setPose(draft.pose()));
   Scene scene;
   scene.camera = draft.simulator.getCameraParameters();

@@ -73,7 +73,7 @@ int main(int argc, char *argv[])
   app.add_option("--only", only, "With --hardships the kind of this name, with --phantoms those with this in it");
   std::string family = "golay23";
   app.add_option("--family", family, "Family of the markers for --reach and --hardships")
-      ->check(CLI::IsMember({"golay23", "bch31", "bch31r", "ring"}))
+      ->check(CLI::IsMember({"golay23", "bch31", "bch31r", "ring", "disc"}))
       ->capture_default_str();
   std::string photographs;
   std::string overlays;

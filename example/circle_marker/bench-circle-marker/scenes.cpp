@@ -23,6 +23,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <visp3/circle_marker/vpCircleMarkerFamily.h>
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpRotationMatrix.h>
 #include <visp3/core/vpThetaUVector.h>
@@ -261,8 +262,8 @@ Scene makeScene(const SceneOptions &options)
   const double aspect = static_cast<double>(options.width) / options.height;
   const auto columns = static_cast<unsigned int>(std::ceil(std::sqrt(options.markers * aspect)));
   const unsigned int rows = (options.markers + columns - 1) / std::max(columns, 1U);
-  const bool isRing = options.family == "ring";
-  const std::size_t ids = isRing ? 1 : vpSimulatedMarker::codewords(options.family).size();
+  const bool isCoded = vpCircleMarkerFamily::fromName(options.family).isCoded();
+  const std::size_t ids = isCoded ? vpSimulatedMarker::codewords(options.family).size() : 1;
   for (unsigned int i = 0; i < options.markers; ++i) {
     const double cellWidth = static_cast<double>(options.width) / columns;
     const double cellHeight = static_cast<double>(options.height) / rows;
@@ -274,9 +275,7 @@ Scene makeScene(const SceneOptions &options)
     const double v = (i / columns) * cellHeight + uniform(random, reach, std::max(cellHeight - reach, reach));
     const double tilt = uniform(random, 0., options.mostTilt);
     const int id = static_cast<int>(random() % ids);
-    constexpr double ringRatio = 0.8; // of the family "ring" as it is printed
-    vpSimulatedMarker marker = isRing ? vpSimulatedMarker::ring(markerSize, ringRatio)
-                                      : vpSimulatedMarker::circle(options.family, id, markerSize);
+    vpSimulatedMarker marker = vpSimulatedMarker::circle(options.family, isCoded ? id : -1, markerSize);
     simulator.addMarker(marker.setPose(drawPose(random, scene.camera, diameter, tilt, u, v)));
   }
   scene.truth = simulator.render(scene.image, options.seed);

@@ -379,7 +379,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   settings.noise = noise;
   RankedFits ranked =
       marker.measuredRing && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
-  if (refine && mayBeInUnevenLight(marker, pattern, ranked, memory.pixels, noise.sigma)) {
+  if (refine && mayBeInUnevenLight(view, pattern, ranked, memory.pixels, noise.sigma)) {
     ranked = withEvenLight(view, pattern, ranked, settings, memory);
   }
   const bool isInDoubt = refine && !marker.isCertain && pattern.sectors > 0;

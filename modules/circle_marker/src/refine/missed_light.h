@@ -26,15 +26,15 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
   Whether coarse fits of a marker that was read for certain leave so much that the light on it may be uneven. This is
-  not asked of rings without a code, nor of covered markers, nor where paper is brighter than the sensor can tell: what
-  is cut off there looks like uneven light, and hides what tells a code from another (over_exposed_code.h).
-  \param marker : The marker.
+  not asked of covered markers, nor where paper is brighter than the sensor can tell: what is cut off
+  there looks like uneven light, and hides what tells a code from another (over_exposed_code.h).
+  \param view : The marker.
   \param pattern : Its print.
   \param few : The fits.
   \param pixels : The pixels that were fitted.
   \param noise : Standard deviation of the image's noise, grey levels.
 */
-bool mayBeInUnevenLight(const Recognition &marker, const MarkerPattern &pattern, const RankedFits &few,
+bool mayBeInUnevenLight(const MarkerInImage &view, const MarkerPattern &pattern, const RankedFits &few,
                         const std::vector<FitPixel> &pixels, double noise);
 
 /*!
