@@ -283,8 +283,10 @@ void listAttempts(const std::vector<vpCircleMarkerFamily> &families, std::vector
         attempts.push_back({coded, kind});
       }
     }
-    if (families[first].getType() == vpCircleMarkerFamily::RING) {
-      attempts.push_back({first, ReadingKind::COVERED});
+  }
+  for (k = 0; k < families.size(); ++k) {
+    if (families[k].getType() == vpCircleMarkerFamily::RING) {
+      attempts.push_back({k, ReadingKind::COVERED});
     }
   }
 }

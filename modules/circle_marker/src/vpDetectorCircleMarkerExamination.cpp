@@ -32,9 +32,11 @@ namespace {
 constexpr std::size_t mostDoubtsInVain = 16;
 constexpr std::size_t doubtsForEachProven = 2;
 constexpr std::size_t doubtsAtOnce = 8;
-// The same for rings that something covers, of which clutter has less than one in an image (bench-circle-marker
-// --phantoms) and a page of text hundreds. To measure and read one takes a millisecond.
+// The same for rings of codes that something covers, of which clutter has less than one in an image
+// (bench-circle-marker --phantoms) and a page of text hundreds. To measure and read one takes a millisecond.
 constexpr std::size_t mostCoveredInVain = 64;
+// And for plain rings of which that is so, whose number must not be at the cost of codes.
+constexpr std::size_t mostCoveredRingsInVain = 64;
 } // namespace
 
 /*! The outlines through the rooms after them, from the largest to the smallest: read, chosen, measured. An outline that
@@ -49,6 +51,8 @@ void vpDetectorCircleMarker::Impl::examineAll(const Visit &visit, const Outlines
   m_doubts.mostInVain = mostDoubtsInVain;
   m_covered = Trials();
   m_covered.mostInVain = mostCoveredInVain;
+  m_coveredRings = Trials();
+  m_coveredRings.mostInVain = mostCoveredRingsInVain;
   listAttempts(settings.families, m_attempts);
   allowBlurred(visit, outlines);
   bool isOver = false;
@@ -142,10 +146,14 @@ void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outli
     m_examinations[i].place = m_measured.size();
     m_measured.append();
   }
-  const auto rankOf = [this](std::size_t i) { // the certain ones as they are, the others by their margin
+  // The certain ones as they are, the others by their margin, of plain rings that something covers what is seen of
+  // them.
+  const auto rankOf = [this](std::size_t i) {
     const Recognition &marker = *m_examinations[i].marker;
-    const int group = marker.seen && !marker.measuredRing ? 2 : marker.isCertain ? 0 : 1;
-    return std::make_tuple(group, group > 0 ? -marker.code.margin : 0., i);
+    const bool isCovered = marker.seen && !marker.measuredRing;
+    const int group = isCovered ? (marker.hasCode() ? 2 : 3) : marker.isCertain ? 0 : 1;
+    const double clear = group == 3 ? marker.seen->shareOfRing() : marker.code.margin;
+    return std::make_tuple(group, group > 0 ? -clear : 0., i);
   };
   std::sort(m_chosen.begin(), m_chosen.end(), [&](std::size_t i, std::size_t j) { return rankOf(i) < rankOf(j); });
   const auto firstOf = [&](int group) {
@@ -154,25 +162,30 @@ void vpDetectorCircleMarker::Impl::measureChosen(const Visit &visit, const Outli
   };
   m_doubts.begin = firstOf(1);
   m_doubts.end = m_covered.begin = firstOf(2);
-  m_covered.end = m_chosen.size();
+  m_covered.end = m_coveredRings.begin = firstOf(3);
+  m_coveredRings.end = m_chosen.size();
   // All kinds at once: kind by kind, threads would wait for the last one of each. One that may be none takes as long as
   // ten others, so it is begun first; unless time may run out, and the others would not be measured at all.
   const bool areLongestFirst = m_workers.getCount() > 1 && !visit.deadline.isSet();
   m_together.clear();
   takeNext(m_doubts);
   takeNext(m_covered);
+  takeNext(m_coveredRings);
   m_together.insert(areLongestFirst ? m_together.end() : m_together.begin(), m_chosen.begin(),
                     m_chosen.begin() + static_cast<std::ptrdiff_t>(m_doubts.begin));
   while (!m_together.empty()) {
     measureTogether(visit, outlines);
     countTaken(m_doubts);
     countTaken(m_covered);
+    countTaken(m_coveredRings);
     m_together.clear();
     takeNext(m_doubts);
     takeNext(m_covered);
+    takeNext(m_coveredRings);
   }
   passOver(m_doubts);
   passOver(m_covered);
+  passOver(m_coveredRings);
 }
 
 /*!
@@ -218,6 +231,9 @@ void vpDetectorCircleMarker::Impl::measureTogether(const Visit &visit, const Out
     else {
       examination.isFound =
           measureMarker(visit, outline, *examination.marker, workspace, m_measured[examination.place]);
+      if (!examination.isFound && m_measured[examination.place].isOtherRing) {
+        examination.otherRingOf = m_attempts[examination.attempt - 1].family;
+      }
       examination.refusal = vpCircleMarkerReject::UNLIKE_THE_MODEL;
     }
     if (visit.deadline.hasPassed()) { // one that was cut short is not known to be none

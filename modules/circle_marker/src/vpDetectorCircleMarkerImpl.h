@@ -52,6 +52,7 @@ public:
     std::vector<vpImagePoint> polygon;       //!< Points along the outline.
     circle_marker::ImageNoise noise;         //!< Of the image it was found in.
     bool mayBeBlurred = false;               //!< Whether it was read through a blur, or might have been.
+    bool isOtherRing = false;                //!< Whether it is none, but a plain ring of another ratio of radii.
   };
 
   void detect(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam, bool isCameraGuessed,
@@ -86,6 +87,7 @@ private:
     bool isRead = false;                                       //!< Whether that was done.
     bool isOver = false;                                       //!< Whether it is found, or is none.
     bool mayBeBlurred = false;                                 //!< Whether it may be read through a blur.
+    std::optional<std::size_t> otherRingOf;                    //!< The family of plain rings whose ratio it has not.
     std::optional<circle_marker::Recognition> marker;          //!< What it was read as.
     std::size_t place = 0;                                     //!< Of what was measured of it, in m_measured.
     bool isFound = false;                                      //!< Whether that is a marker.
@@ -214,7 +216,8 @@ private:
   circle_marker::MarkerPlaces m_chosenPlaces;         //!< Where they are.
   std::vector<std::size_t> m_together;                //!< Those of them that are measured at once.
   Trials m_doubts;                                    //!< Of the outlines whose code is in doubt.
-  Trials m_covered;                                   //!< Of the rings that something covers.
+  Trials m_covered;                                   //!< Of the rings of codes that something covers.
+  Trials m_coveredRings;                              //!< And of the plain rings.
   std::vector<Impl> m_inverse;       //!< What looks at the negative, if markers white on black are sought.
   vpImage<unsigned char> m_negative; //!< The negative.
 };

@@ -132,7 +132,9 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
                                                  const Recognition &marker, Workspace &workspace, Found &measured) const
 {
   Fit fit;
-  return measureSharpened(visit, outline, marker, workspace, measured, fit) && !fit.isOtherRing;
+  const bool isMeasured = measureSharpened(visit, outline, marker, workspace, measured, fit);
+  measured.isOtherRing = isMeasured && fit.isOtherRing;
+  return isMeasured && !fit.isOtherRing;
 }
 
 /*!

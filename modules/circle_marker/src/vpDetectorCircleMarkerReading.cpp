@@ -51,7 +51,7 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   while (seen && !examination.marker && examination.attempt < m_attempts.size() && !visit.deadline.hasPassed()) {
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
-    if (attempt.kind != ReadingKind::WHOLE && m_readsWholeOnly) {
+    if (attempt.kind != ReadingKind::WHOLE && (m_readsWholeOnly || attempt.family == examination.otherRingOf)) {
       continue;
     }
     if (attempt.kind != ReadingKind::WHOLE) {

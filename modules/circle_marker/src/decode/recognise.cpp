@@ -362,7 +362,7 @@ std::optional<Recognition> recogniseCoveredShape(const OutlineInImage &seen, con
   }
   Recognition result;
   result.family = family;
-  result.code.margin = most->shareOfRing();
+  result.code.margin = 1.;
   result.poses = seen.poses;
   result.seen = most;
   return result;

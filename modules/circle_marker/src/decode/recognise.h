@@ -45,6 +45,9 @@ struct Recognition
   //! Of each sector of the code, as it was read: 0 is white, 1 is black. Where that is better than the code itself.
   std::optional<std::array<float, mostSectors>> darkness;
   std::optional<BlurredPoses> blurred; //!< How well \e poses are known where they were read through a blur.
+
+  /*! Whether it has a code, which may not be read yet. */
+  bool hasCode() const { return family.isCoded() || isRingOfCode; }
 };
 
 /*! What was read on the way to a code, to be shown: of the pose under which it came farther. */

@@ -18,32 +18,24 @@
 #include "refine/measure.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <utility>
 
-#include "refine/bent_sheet.h"
 #include "refine/coarse_fits.h"
+#include "refine/fine_fits.h"
 #include "refine/fit_starts.h"
 #include "refine/missed_light.h"
 #include "refine/missed_shadow.h"
 #include "refine/nearly_frontal.h"
+#include "refine/other_pose.h"
 #include "refine/plausible_print.h"
 #include "refine/pose_odds.h"
 #include "refine/shadow.h"
-#include "refine/spin_search.h"
-#include "refine/surround.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// All pixels are used up to a marker of some 500 pixels diameter: every pixel that is left out is information lost.
-constexpr double manyPixels = 20000.;
 // How far the fits on all pixels may go from the coarse ones until their pixels are sorted anew, pixels.
 constexpr double fineError = 0.6;
-// How far the coarse fits are off, pixels. (With 0.1, which nearly all clear ones are nearer than, a covered code was
-// read as another: testDetectorWrongIds.)
-constexpr double coarseError = 0.3;
 // Steps of a fit to a code that is not certain: with the right one seldom more are wanted, with a wrong one and on what
 // is no marker they do not end.
 constexpr int mostIterationsInDoubt = 12;
@@ -51,21 +43,6 @@ constexpr int mostIterationsInDoubt = 12;
 // blur, as it is hardly ever a Gaussian.
 constexpr double mostSpreadOfRing = 0.01;
 constexpr double mostOfBlur = 0.3;
-// Of a bent sheet's ring this share is seen at least: the quiet zone of one at the image's border is not all in it, and
-// such a marker is read as one of which a part is covered.
-constexpr double leastSeenOfBent = 0.75;
-// Of markers below this radius, pixels, both poses are refined: all pixels cost little more than the few, and a coarse
-// fit that was stuck made the right pose of some markers of 16 pixels hopeless.
-constexpr double leastHopelessSize = 20.;
-// Fits from the mirrored pose of the best, at most: the first may become the best, and its own mirrored pose is stuck.
-constexpr int mostTwins = 2;
-
-// Whether the sheet may be bent, as far as the fit can tell: where too much is covered a bend explains what covers it.
-bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
-{
-  const bool isMostlySeen = !marker.seen || marker.seen->shareOfRing() > leastSeenOfBent;
-  return isMostlySeen && !marker.darkness && pattern.sectors > 0;
-}
 
 // The coarse fits.
 RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &settings, MarkerPattern &pattern,
@@ -109,86 +86,6 @@ RankedFits fitsOfRing(const MarkerInImage &view)
   return ranked;
 }
 
-// Whether the mirrored pose of the best fit is another one that no fit has come to, or one in other light has. From
-// where a small marker's coarse fit ends, a wrong pose may come to its minimum and the right one be stuck, come to the
-// same, or be so far behind on its way that it is given up.
-bool lacksTwin(const Few<FittedPose> &fits, bool isSmall)
-{
-  if (fits.size() > 1) {
-    return !isSameLight(fits[0].photometry, fits[1].photometry) ||
-           (isSmall && !fits[1].isSettled && fits[0].correlation >= leastCorrelationOfMarker);
-  }
-  if (fits.empty() || fits[0].correlation < leastCorrelationOfMarker) {
-    return false;
-  }
-  FittedPose twin = fits[0];
-  twin.plane = mirrored(twin.plane);
-  return !isSamePose(fits[0], twin);
-}
-
-// Whether the mirrored pose of a large marker's best fit is so far behind, before any step from it, that it is not
-// worth a fit, which would go all the way to the best: on paper that nearly faces the camera the likelihood has one
-// maximum only.
-bool isTwinHopeless(const RankedFits &ranked, const MarkerPattern &pattern, MeasureMemory &memory)
-{
-  const FittedPose &best = ranked.fits[0];
-  FittedPose twin = best;
-  twin.plane = mirrored(best.plane);
-  twin.isSettled = false;
-  twin.decrement = HUGE_VAL; // is not asked for: the most that isHopeless() allows
-  twin.squares = memory.fitter->robustSquares(memory.pixels, twin, pattern, best.photometry, ranked.noise, true);
-  return isHopeless(twin, best, ranked.noise);
-}
-
-// The fits on all pixels around the coarse ones; of both poses unless one is given up.
-RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, bool isOneGivenUp, FitSettings settings,
-                        MarkerPattern &pattern, MeasureMemory &memory)
-{
-  const Few<FittedPose> &fits = coarse.fits;
-  const std::array<MarkerPlane, 2> planes = {fits.front().plane, fits.back().plane};
-  const BlurParameters blur = boundedBlur(fits[0].photometry.blur);
-  if (!settings.spinIsKnown) {
-    PaperEnd &square = pattern.paper[static_cast<std::size_t>(PaperShape::SQUARE)];
-    square.angle = squareAngleOf(view.I, view.camera, planes[0], square.extent, blur.sigma);
-  }
-  const PixelChoice choice = {blur, coarseError, manyPixels};
-  memory.fitter->selectPixels(view.I, view.camera, view.frame, planes.data(), fits.size(), pattern, choice,
-                              memory.pixels);
-  dropCovered(view.marker, memory.pixels);
-  evenOut(view, memory.pixels);
-  Few<FitStart> starts;
-  for (const FittedPose &fit : fits) {
-    starts.push_back({fit.plane, fit.photometry, coarse.noise});
-  }
-  RankedFits ranked = rank(memory.pixels, pattern, true,
-                           fitAll(memory.pixels, starts, pattern, settings, *memory.fitter), *memory.fitter);
-  keepTwo(ranked);
-  const bool isSmall = view.frame.size <= leastHopelessSize;
-  // Of a clear marker the coarse fits have tried both poses, and if both led to one there is one.
-  const bool isTried = isOneGivenUp || (settings.isClear && fits.size() == 1);
-  for (int round = 0; round < mostTwins && !isTried && lacksTwin(ranked.fits, isSmall); ++round) {
-    const FittedPose best = ranked.fits[0];
-    if (!isSmall && ranked.fits.size() == 1 && isTwinHopeless(ranked, pattern, memory)) {
-      break;
-    }
-    Few<FitStart> again;
-    again.push_back({mirrored(best.plane), best.photometry, ranked.noise});
-    settings.samePixels = true;
-    const Few<FittedPose> others = fitAll(memory.pixels, again, pattern, settings, *memory.fitter,
-                                          isSmall ? std::nullopt : std::make_optional(best));
-    if (others.empty()) {
-      break;
-    }
-    ranked.fits.push_back(others[0]);
-    ranked = rank(memory.pixels, pattern, true, ranked.fits, *memory.fitter);
-    keepTwo(ranked);
-    if (isSamePose(best, ranked.fits[0])) { // its mirrored pose is that which was fitted
-      break;
-    }
-  }
-  return ranked;
-}
-
 FitSettings settingsFor(const MarkerInImage &view, const MarkerPattern &pattern, const Deadline &deadline)
 {
   const Recognition &marker = view.marker;
@@ -205,127 +102,6 @@ FitSettings settingsFor(const MarkerInImage &view, const MarkerPattern &pattern,
     settings.shadow = shadowOn(view.I, view.camera, view.frame, marker.poses[0], marker.family.getLayout().quietZone);
   }
   return settings;
-}
-
-// A second pose that is not refined.
-struct GivenUp
-{
-  FittedPose fit;
-  double moreCost = 0.; // than that of the first
-};
-
-// Takes the second coarse fit out if few pixels say enough against it: all of them would say more.
-std::optional<GivenUp> giveUpHopeless(const MarkerInImage &view, RankedFits &coarse)
-{
-  Few<FittedPose> &fits = coarse.fits;
-  if (fits.size() < 2 || view.frame.size <= leastHopelessSize || !isHopeless(fits[1], fits[0], coarse.noise)) {
-    return std::nullopt;
-  }
-  const GivenUp givenUp = {fits[1], costOf(fits[1].squares - fits[0].squares, coarse.noise, fits[0].sharing)};
-  fits.pop_back();
-  return givenUp;
-}
-
-// Takes all but the best coarse fit of a code in doubt out: it is proven at the better pose, and only then is the other
-// one worth a fit.
-void leaveBest(RankedFits &coarse)
-{
-  while (coarse.fits.size() > 1) {
-    coarse.fits.pop_back();
-  }
-}
-
-// The fits on all pixels, and what only these tell: the light, the spin and the sheet's bend.
-RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDoubt, bool isOneGivenUp,
-                     const FitSettings &settings, MarkerPattern &pattern, MeasureMemory &memory)
-{
-  const Recognition &marker = view.marker;
-  RankedFits ranked = fitAllPixels(view, coarse, isInDoubt || isOneGivenUp, settings, pattern, memory);
-  // The light by all pixels, once more: of four that were looked at the depth was off by a third to a half less then.
-  if (view.uneven && !marker.measuredRing && !ranked.fits.empty() &&
-      tellLight(view, pattern, ranked.fits[0], settings, memory)) {
-    ranked = fitAllPixels(view, ranked, isOneGivenUp, settings, pattern, memory);
-  }
-  if (isInDoubt || ranked.fits.empty() || pattern.sectors == 0) {
-    return ranked;
-  }
-  if (marker.isCertain && mayBeTurned(ranked.fits[0])) {
-    ranked = withBetterSpin(memory.pixels, ranked, pattern, settings, *memory.fitter);
-  }
-  if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && mayBend(marker, pattern)) {
-    ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
-  }
-  return ranked;
-}
-
-// Whether it has a code, which may not be read yet.
-bool hasCode(const Recognition &marker)
-{
-  return marker.family.isCoded() || marker.isRingOfCode;
-}
-
-// Whether a pose was given up so far from its end that by the equations there nothing may be left between it and the
-// best. Of a ring that nearly faces the camera they mean little: halfway between its two poses one of 52 pixels, a
-// tenth of which was covered, had 1027 before it and was 773 behind, with odds of e^75 against the right one.
-bool isFarFromEnd(const FittedPose &other, const FittedPose &best)
-{
-  return !other.isSettled && other.decrement > 0.5 * (other.squares - best.squares);
-}
-
-// Whether the other pose of a marker was given up on its way though something is left that the model lacks, or was far
-// from its end: how far it would have come is not known then, and the odds are not. (Of a ring of 250 pixels whose
-// edges were sharper than a lens makes them they were e^0.1, and in other noise e^700.)
-bool isGivenUpEarly(const MarkerInImage &view, const FittedPose *other, const FittedPose &best)
-{
-  if (!other || other->isSettled || view.frame.size <= leastHopelessSize) {
-    return false;
-  }
-  return best.coherence > 1. || (!hasCode(view.marker) && isFarFromEnd(*other, best));
-}
-
-// Compares the poses once more, if the other one was given up early, and always of a plain ring that something covers:
-// an outline of which a part is missing has poses from which the fit may lead anywhere. (Behind a blob over two fifths
-// the other one of a ring of 48 pixels was 0.4 m nearer, and the mirrored one came first with odds of e^187.) Few
-// pixels tell it; all pixels, if it is not hopeless there. Whether that has led to a better pose, which may have
-// another mirrored one.
-bool compareAtTheirEnds(MarkerInImage &view, RankedFits &ranked, std::optional<GivenUp> &givenUp,
-                        const FitSettings &settings, MarkerPattern &pattern, MeasureMemory &memory)
-{
-  const FittedPose best = ranked.fits[0];
-  FittedPose *other = givenUp ? &givenUp->fit : ranked.fits.size() > 1 ? &ranked.fits[1] : nullptr;
-  // What covers a code is lacking at any pose: one was read as another by this.
-  const bool isAsked = view.marker.seen ? !hasCode(view.marker) : isGivenUpEarly(view, other, best);
-  if (!isAsked) {
-    return false;
-  }
-  RankedFits few =
-      fitToTheirEnds(view, pattern, best, mirrored(best.plane), settings, memory.fewPixels, *memory.fitter);
-  if (few.fits.size() < 2) {
-    // Whether from the mirrored pose, too, one comes to the best: then the other is no end, and what it leaves counts
-    // as it is; that of a covered ring, which may be anything, is none.
-    const bool isAlone = !few.fits.empty() && isSamePose(few.fits[0], best);
-    if (isAlone && view.marker.seen) {
-      leaveBest(ranked);
-      givenUp.reset();
-    }
-    else if (other) {
-      other->isSettled = isAlone;
-    }
-    return false;
-  }
-  givenUp = giveUpHopeless(view, few);
-  if (givenUp && isSamePose(few.fits[0], best)) {
-    if (!givenUp->fit.isSettled) { // after so many steps: as much may be left of the way as isHopeless() allows
-      const double ahead = costOf(givenUp->fit.decrement, few.noise, few.fits[0].sharing);
-      givenUp->moreCost -= std::min(ahead, 0.5 * givenUp->moreCost);
-      givenUp->fit.isSettled = true;
-    }
-    leaveBest(ranked);
-  }
-  else {
-    ranked = fitFinely(view, few, false, givenUp.has_value(), settings, pattern, memory);
-  }
-  return !ranked.fits.empty() && !isSamePose(ranked.fits[0], best);
 }
 
 Measurement measurementOf(const RankedFits &ranked, const std::optional<GivenUp> &givenUp)
@@ -386,7 +162,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   if (isInDoubt && !ranked.fits.empty() && !mayBePrint(ranked.fits[0], view, true)) {
     return std::nullopt;
   }
-  const bool isCoveredRing = refine && marker.seen && !hasCode(marker);
+  const bool isCoveredRing = refine && marker.seen && !marker.hasCode();
   if (isCoveredRing && !ranked.fits.empty() && !isRingWhereSeen(ranked.fits[0], view, noise.sigma, true)) {
     return std::nullopt;
   }

@@ -65,7 +65,7 @@ struct MeasureMemory : FittingMemory
   Whether a plain ring has another ratio of radii than its family's: both of its edges tell how far the ink would have
   spread, and nothing else of it. Fitted with the inner radius of another ring it is fitted with its outer edge beside
   its place, too, by half of the difference; and the depth is off by that.
-  \param marker : The marker; with a code, or with a part of it covered, it is none.
+  \param marker : The marker; with a code it is none.
   \param fit : Its pose.
   \param camera : The camera.
 */

@@ -1,0 +1,155 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * Fits of a marker on all of its pixels.
+ */
+
+#include "refine/fine_fits.h"
+
+#include <array>
+#include <optional>
+
+#include "refine/bent_sheet.h"
+#include "refine/fit_starts.h"
+#include "refine/missed_light.h"
+#include "refine/plausible_print.h"
+#include "refine/pose_odds.h"
+#include "refine/spin_search.h"
+#include "refine/surround.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// All pixels are used up to a marker of some 500 pixels diameter: every pixel that is left out is information lost.
+constexpr double manyPixels = 20000.;
+// How far the coarse fits are off, pixels. (With 0.1, which nearly all clear ones are nearer than, a covered code was
+// read as another: testDetectorWrongIds.)
+constexpr double coarseError = 0.3;
+// Of a bent sheet's ring this share is seen at least: the quiet zone of one at the image's border is not all in it, and
+// such a marker is read as one of which a part is covered.
+constexpr double leastSeenOfBent = 0.75;
+// Fits from the mirrored pose of the best, at most: the first may become the best, and its own mirrored pose is stuck.
+constexpr int mostTwins = 2;
+
+// Whether the sheet may be bent, as far as the fit can tell: where too much is covered a bend explains what covers it.
+bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
+{
+  const bool isMostlySeen = !marker.seen || marker.seen->shareOfRing() > leastSeenOfBent;
+  return isMostlySeen && !marker.darkness && pattern.sectors > 0;
+}
+
+// Whether the mirrored pose of the best fit is another one that no fit has come to, or one in other light has. From
+// where a small marker's coarse fit ends, a wrong pose may come to its minimum and the right one be stuck, come to the
+// same, or be so far behind on its way that it is given up.
+bool lacksTwin(const Few<FittedPose> &fits, bool isSmall)
+{
+  if (fits.size() > 1) {
+    return !isSameLight(fits[0].photometry, fits[1].photometry) ||
+           (isSmall && !fits[1].isSettled && fits[0].correlation >= leastCorrelationOfMarker);
+  }
+  if (fits.empty() || fits[0].correlation < leastCorrelationOfMarker) {
+    return false;
+  }
+  FittedPose twin = fits[0];
+  twin.plane = mirrored(twin.plane);
+  return !isSamePose(fits[0], twin);
+}
+
+// Whether the mirrored pose of a large marker's best fit is so far behind, before any step from it, that it is not
+// worth a fit, which would go all the way to the best: on paper that nearly faces the camera the likelihood has one
+// maximum only.
+bool isTwinHopeless(const RankedFits &ranked, const MarkerPattern &pattern, MeasureMemory &memory)
+{
+  const FittedPose &best = ranked.fits[0];
+  FittedPose twin = best;
+  twin.plane = mirrored(best.plane);
+  twin.isSettled = false;
+  twin.decrement = HUGE_VAL; // is not asked for: the most that isHopeless() allows
+  twin.squares = memory.fitter->robustSquares(memory.pixels, twin, pattern, best.photometry, ranked.noise, true);
+  return isHopeless(twin, best, ranked.noise);
+}
+
+// The fits on all pixels around the coarse ones; of both poses unless one is given up.
+RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, bool isOneGivenUp, FitSettings settings,
+                        MarkerPattern &pattern, MeasureMemory &memory)
+{
+  const Few<FittedPose> &fits = coarse.fits;
+  const std::array<MarkerPlane, 2> planes = {fits.front().plane, fits.back().plane};
+  const BlurParameters blur = boundedBlur(fits[0].photometry.blur);
+  if (!settings.spinIsKnown) {
+    PaperEnd &square = pattern.paper[static_cast<std::size_t>(PaperShape::SQUARE)];
+    square.angle = squareAngleOf(view.I, view.camera, planes[0], square.extent, blur.sigma);
+  }
+  const PixelChoice choice = {blur, coarseError, manyPixels};
+  memory.fitter->selectPixels(view.I, view.camera, view.frame, planes.data(), fits.size(), pattern, choice,
+                              memory.pixels);
+  dropCovered(view.marker, memory.pixels);
+  evenOut(view, memory.pixels);
+  Few<FitStart> starts;
+  for (const FittedPose &fit : fits) {
+    starts.push_back({fit.plane, fit.photometry, coarse.noise});
+  }
+  RankedFits ranked = rank(memory.pixels, pattern, true,
+                           fitAll(memory.pixels, starts, pattern, settings, *memory.fitter), *memory.fitter);
+  keepTwo(ranked);
+  const bool isSmall = view.frame.size <= leastHopelessSize;
+  // Of a clear marker the coarse fits have tried both poses, and if both led to one there is one.
+  const bool isTried = isOneGivenUp || (settings.isClear && fits.size() == 1);
+  for (int round = 0; round < mostTwins && !isTried && lacksTwin(ranked.fits, isSmall); ++round) {
+    const FittedPose best = ranked.fits[0];
+    if (!isSmall && ranked.fits.size() == 1 && isTwinHopeless(ranked, pattern, memory)) {
+      break;
+    }
+    Few<FitStart> again;
+    again.push_back({mirrored(best.plane), best.photometry, ranked.noise});
+    settings.samePixels = true;
+    const Few<FittedPose> others = fitAll(memory.pixels, again, pattern, settings, *memory.fitter,
+                                          isSmall ? std::nullopt : std::make_optional(best));
+    if (others.empty()) {
+      break;
+    }
+    ranked.fits.push_back(others[0]);
+    ranked = rank(memory.pixels, pattern, true, ranked.fits, *memory.fitter);
+    keepTwo(ranked);
+    if (isSamePose(best, ranked.fits[0])) { // its mirrored pose is that which was fitted
+      break;
+    }
+  }
+  return ranked;
+}
+} // namespace
+
+RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDoubt, bool isOneGivenUp,
+                     const FitSettings &settings, MarkerPattern &pattern, MeasureMemory &memory)
+{
+  const Recognition &marker = view.marker;
+  RankedFits ranked = fitAllPixels(view, coarse, isInDoubt || isOneGivenUp, settings, pattern, memory);
+  // The light by all pixels, once more: of four that were looked at the depth was off by a third to a half less then.
+  if (view.uneven && !marker.measuredRing && !ranked.fits.empty() &&
+      tellLight(view, pattern, ranked.fits[0], settings, memory)) {
+    ranked = fitAllPixels(view, ranked, isOneGivenUp, settings, pattern, memory);
+  }
+  if (isInDoubt || ranked.fits.empty() || pattern.sectors == 0) {
+    return ranked;
+  }
+  if (marker.isCertain && mayBeTurned(ranked.fits[0])) {
+    ranked = withBetterSpin(memory.pixels, ranked, pattern, settings, *memory.fitter);
+  }
+  if (!ranked.fits.empty() && ranked.fits[0].coherence > 1. && mayBend(marker, pattern)) {
+    ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
+  }
+  return ranked;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE
