@@ -235,8 +235,7 @@ std::vector<Lookalike> lookalikes(const vpCircleMarkerFamily &family)
 } // namespace
 
 // Something dark on the centre hides that a ring has a code inside: the code is read first, in whatever order families
-// are asked for. (All 60 are read; 11 were where a ring that
-// something covers was tried before codes.)
+// are asked for. (All 60 are read; 11 were where a ring that something covers was tried before codes.)
 TEST(CoveredMarkers, ACodedMarkerIsNoPlainRingWhereBothAreSought)
 {
   const vpCircleMarkerFamily golay23(vpCircleMarkerFamily::GOLAY23);
