@@ -134,7 +134,8 @@ TEST(DetectorProcessed, SmallCodesAreProvenByIndependentPixels)
 }
 
 // An undistorted picture's marker is where the straight camera sees it, to some hundredths of a pixel: the
-// interpolation blurs by another amount every few pixels, which no model has, and the covariance does not know of it.
+// interpolation moves the edges by a hundredth, which no model has, and many pixels agree on. The covariance knows of
+// it from the noise; without, the mean was 4.3.
 TEST(DetectorProcessed, UndistortedPicturesAreMeasuredWithTheStraightCamera)
 {
   constexpr double mostOff = 0.05; // pixels, of the marker's centre
@@ -166,5 +167,6 @@ TEST(DetectorProcessed, UndistortedPicturesAreMeasuredWithTheStraightCamera)
     squared += mahalanobis(truth, detection.cMo, detection.covariance, detection.dof) / (images * detection.dof);
   }
   RecordProperty("squared", std::to_string(squared));
-  EXPECT_LT(squared, 12.); // standard deviations stated 3.5 times too small, and no worse
+  EXPECT_GT(squared, 0.5);
+  EXPECT_LT(squared, 1.4);
 }

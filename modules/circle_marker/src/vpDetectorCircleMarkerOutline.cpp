@@ -179,7 +179,7 @@ bool vpDetectorCircleMarker::Impl::measureRestored(const Visit &visit, const Ell
     return false;
   }
   // Of the highest frequencies, by which it is measured.
-  const ImageNoise noise = {visit.noise.sigma / (1. + mask->amount), visit.noise.sharing};
+  const ImageNoise noise = {visit.noise.sigma / (1. + mask->amount), visit.noise.sharing, visit.noise.isResampled};
   const Visit before = {workspace.restored, visit.size,  visit.camera,         visit.deadline, noise,
                         visit.isSizeGiven,  mask->error, visit.isCameraGuessed};
   Fit restoredFit;

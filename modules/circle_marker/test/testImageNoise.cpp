@@ -232,3 +232,50 @@ TEST(ImageNoise, RoundingIsIndependent)
     EXPECT_EQ(estimateNoise(digitise(slope, 0.1, random)).sharing, 1.) << k;
   }
 }
+
+// Interpolated between the pixels of another picture, a few of them to the side and more so to the right, linearly: as
+// an undistorted picture is. With noise of 1.5 grey levels, 0.8 of which are left, rounding's is a part of it.
+TEST(ImageNoise, OfResampledPictures)
+{
+  Random random = randomOfTest();
+  for (const double sigma : {1.5, 3., 8.}) {
+    const vpImage<double> white = whiteNoise(680, 520, sigma, random);
+    const double slope = uniform(random, 0.01, 0.04);
+    vpImage<double> resampled(480, 640);
+    for (unsigned int v = 0; v < 480; ++v) {
+      for (unsigned int u = 0; u < 640; ++u) {
+        const double x = 2. + (1. + slope) * u;
+        const double y = 3. + (1. + slope) * v;
+        const auto left = static_cast<unsigned int>(x);
+        const auto top = static_cast<unsigned int>(y);
+        const double p = x - left;
+        const double q = y - top;
+        resampled[v][u] = (1. - q) * ((1. - p) * white[top][left] + p * white[top][left + 1]) +
+                          q * ((1. - p) * white[top + 1][left] + p * white[top + 1][left + 1]);
+      }
+    }
+    const vpImage<double> scene = greyPlane(680, 520, 127., uniform(random, -0.05, 0.05), 0.02);
+    EXPECT_TRUE(estimateNoise(pictureOf(scene, resampled, random)).isResampled) << sigma;
+    EXPECT_FALSE(estimateNoise(pictureOf(scene, white, random)).isResampled) << sigma;
+    // What is the same everywhere is no matter of the phase.
+    EXPECT_FALSE(estimateNoise(pictureOf(scene, meansOfSquares(white, 2), random)).isResampled) << sigma;
+    EXPECT_FALSE(estimateNoise(pictureOf(scene, meansOfSquares(white, 3), random)).isResampled) << sigma;
+  }
+}
+
+// Independent noise is independent beside texture, as long as that leaves a sixth of the picture.
+TEST(ImageNoise, IndependentIsNotResampled)
+{
+  Random random = randomOfTest();
+  for (int k = 0; k < 40; ++k) {
+    const double period = uniform(random, 5., 60.); // pixels
+    const double border = uniform(random, 40., 540.);
+    vpImage<double> scene = greyPlane(640, 480, 127., uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1));
+    for (unsigned int v = 0; v < 480; ++v) {
+      for (unsigned int u = 0; u < 640; ++u) {
+        scene[v][u] += u < border ? 15. * std::sin(2. * M_PI * u / period) * std::sin(2. * M_PI * v / period) : 0.;
+      }
+    }
+    EXPECT_FALSE(estimateNoise(digitise(scene, uniform(random, 0., 6.), random)).isResampled) << k;
+  }
+}

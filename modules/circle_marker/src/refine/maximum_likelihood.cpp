@@ -30,6 +30,7 @@
 #include "refine/grey_model.h"
 #include "refine/likelihood.h"
 #include "refine/nearly_frontal.h"
+#include "refine/resampling_doubt.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -75,7 +76,7 @@ class PoseFit
 public:
   PoseFit(const std::vector<FitPixel> &pixels, const MarkerPattern &pattern, const FitSettings &settings,
           FitMemory &memory)
-      : m_settings(settings), m_memory(memory), m_likelihood(pattern, settings, memory),
+      : m_pattern(pattern), m_settings(settings), m_memory(memory), m_likelihood(pattern, settings, memory),
         m_preparation(pixels, settings, m_likelihood, memory), m_race(settings.rival)
   {
   }
@@ -140,6 +141,9 @@ public:
     if (!conclude(m_likelihood, m_equations, m_lastStep, m_noise, m_settings, m_result)) {
       return std::nullopt;
     }
+    if (m_settings.exactBends && m_settings.noise.isResampled) {
+      addResamplingDoubt(m_pattern, m_memory.blocks.reference.unit, m_result);
+    }
     if (m_settings.exactBends && isNearlyFrontal(m_result)) {
       tellLeanInformation();
     }
@@ -172,7 +176,8 @@ private:
     const Eigen::Matrix2d there = informationOf(m_likelihood.linearise(leaning, light, m_noise));
     const Eigen::Matrix3d turned =
         m_result.plane.rotation.transpose() * m_result.covariance.bottomRightCorner<3, 3>() * m_result.plane.rotation;
-    const double scale = turned.topLeftCorner<2, 2>().inverse().trace() / here.trace(); // by noise and coherence
+    const double scale =
+        turned.topLeftCorner<2, 2>().inverse().trace() / here.trace(); // by noise, coherence and resampling
     const double byLean = 0.5 * scale * (there - here).trace() / more;
     if (byLean > 0.) {
       m_result.leanInformation = byLean;
@@ -281,6 +286,7 @@ private:
     m_matrixPlace.set(plane, photometry);
   }
 
+  const MarkerPattern &m_pattern;
   const FitSettings &m_settings;
   const FitMemory &m_memory;
   Likelihood m_likelihood;

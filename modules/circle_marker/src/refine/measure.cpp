@@ -119,6 +119,7 @@ Measurement measurementOf(const RankedFits &ranked, const std::optional<GivenUp>
     result.second = givenUp->fit;
     result.cost2 = result.cost + coherentOdds(givenUp->moreCost, fits[0], givenUp->fit, ranked.noise);
   }
+  result.cost2 = result.cost + (result.cost2 - result.cost) / fits[0].resampled;
   forEachPose(result, [&](FittedPose &fit) {
     if (fit.leanInformation) {
       fit.covariance = nearlyFrontalCovariance(fit, result.second.has_value());

@@ -49,12 +49,16 @@ static_assert(fewBlocks <= flatShare * leastBlocks, "the few are a part of the t
 constexpr double leastOfFew = 0.2;
 // Pixels that share their noise share it with so many others at most: the quarters of a block tell no more.
 constexpr double mostSharing = 16.;
+// So many flat blocks are asked how alike their neighbouring pixels are: of independent noise they tell 0 +- 0.02.
+constexpr std::size_t blocksOfLikeness = 64;
 
 /*! What a block of the image is, besides the plane that is nearest to its grey levels. */
 struct Block
 {
   double variance = 0.;   // of its pixels, grey levels^2
   double ofQuarters = 0.; // of the means of its quarters
+  unsigned int top = 0;   // where it begins
+  unsigned int left = 0;
 };
 
 // Nothing if grey levels of the block are cut off.
@@ -94,7 +98,7 @@ std::optional<Block> blockAt(const vpImage<unsigned char> &I, unsigned int top, 
   const double slope = (square(alongU) + square(alongV)) / squaredCoordinates;
   // What no plane explains of four quarters: half of this difference varies as the mean of one.
   const double across = square(quarters[0] - quarters[1] - quarters[2] + quarters[3]) / square(2 * half * half);
-  return Block{std::max(squares - mean - slope, 0.) / (pixelsOfBlock - 3), across};
+  return Block{std::max(squares - mean - slope, 0.) / (pixelsOfBlock - 3), across, top, left};
 }
 
 // The blocks of an image, as many as there are.
@@ -112,6 +116,53 @@ std::size_t blocksOf(const vpImage<unsigned char> &I, std::array<Block, mostBloc
     }
   }
   return count;
+}
+
+// Variance of the differences of pixels of a block that are so many apart, half the sum of both directions: of
+// independent noise twice that of a pixel.
+double varianceOfDifferences(const vpImage<unsigned char> &I, const Block &block, int apart)
+{
+  const int count = sideOfBlock * (sideOfBlock - apart);
+  int alongU = 0;
+  int alongV = 0;
+  int squares = 0;
+  for (int y = 0; y < sideOfBlock; ++y) {
+    const unsigned char *row = I[block.top + static_cast<unsigned int>(y)] + block.left;
+    for (int x = 0; x + apart < sideOfBlock; ++x) {
+      const int difference = row[x + apart] - row[x];
+      alongU += difference;
+      squares += difference * difference;
+    }
+  }
+  for (int y = 0; y + apart < sideOfBlock; ++y) {
+    const unsigned char *row = I[block.top + static_cast<unsigned int>(y)] + block.left;
+    const unsigned char *below = I[block.top + static_cast<unsigned int>(y + apart)] + block.left;
+    for (int x = 0; x < sideOfBlock; ++x) {
+      const int difference = below[x] - row[x];
+      alongV += difference;
+      squares += difference * difference;
+    }
+  }
+  // Less those of a plane.
+  const double ofPlane = (static_cast<double>(alongU) * alongU + static_cast<double>(alongV) * alongV) / count;
+  return 0.5 * (squares - ofPlane) / count;
+}
+
+// See FlatBlocks, of the first blocks that have no more than a variance.
+double likenessOf(const vpImage<unsigned char> &I, const std::array<Block, mostBlocks> &blocks, std::size_t count,
+                  double most)
+{
+  double variance = 0.;
+  double difference = 0.;
+  std::size_t asked = 0;
+  for (std::size_t k = 0; k < count && asked < blocksOfLikeness; ++k) {
+    if (blocks[k].variance <= most) {
+      variance += blocks[k].variance;
+      difference += varianceOfDifferences(I, blocks[k], 2) - varianceOfDifferences(I, blocks[k], 1);
+      ++asked;
+    }
+  }
+  return 0.5 * difference / variance;
 }
 } // namespace
 
@@ -148,6 +199,7 @@ std::optional<FlatBlocks> findFlatBlocks(const vpImage<unsigned char> &I)
   if (sum.variance == 0.) {
     return flat;
   }
+  flat.likeness = likenessOf(I, blocks, count, mostOfFlattest * tenth->variance);
   flat.sharing = std::clamp(0.25 * pixelsOfBlock * sum.ofQuarters / sum.variance, 1., mostSharing);
   // The flattest tenth has less than the others by chance, the more so the more pixels share their noise: the quantile
   // of chi^2 / n by Wilson and Hilferty (Proceedings of the National Academy of Sciences 17, 1931).

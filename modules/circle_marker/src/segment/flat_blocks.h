@@ -30,6 +30,11 @@ struct FlatBlocks
 {
   double variance = 0.; //!< Of a pixel where the image is flattest, grey levels^2.
   double sharing = 1.;  //!< Number of pixels that share their noise there, see ImageNoise; 1 if few blocks are flat.
+  /*!
+    Correlation of pixels side by side less that of pixels two apart, mean of both directions: of independent noise 0,
+    of slopes 0, of waves of 20 pixels and more less than 0.15 times their share of the variance.
+  */
+  double likeness = 0.;
   double medianVariance = 0.; //!< Of a pixel of the median block, grey levels^2.
 };
 

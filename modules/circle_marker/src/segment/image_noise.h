@@ -33,6 +33,11 @@ struct ImageNoise
     have theirs, over that of independent noise; as many pixels say as much as one.
   */
   double sharing = 1.;
+  /*!
+    Whether the image is interpolated between the pixels of another, as undistorted ones are: there is noise, and
+    neighbouring pixels share some of it, but not so much that sharing tells of it.
+  */
+  bool isResampled = false;
 };
 
 /*!
