@@ -49,8 +49,8 @@ static_assert(fewBlocks <= flatShare * leastBlocks, "the few are a part of the t
 constexpr double leastOfFew = 0.2;
 // Pixels that share their noise share it with so many others at most: the quarters of a block tell no more.
 constexpr double mostSharing = 16.;
-// So many flat blocks are asked how alike their neighbouring pixels are: of independent noise they tell 0 +- 0.02.
-constexpr std::size_t blocksOfLikeness = 64;
+// So many flat blocks are asked how alike their neighbouring pixels are: of independent noise they tell 0 +- 0.025.
+constexpr std::size_t blocksOfLikeness = 32;
 
 /*! What a block of the image is, besides the plane that is nearest to its grey levels. */
 struct Block
