@@ -127,36 +127,18 @@ Measurement measurementOf(const RankedFits &ranked, const std::optional<GivenUp>
   });
   return result;
 }
-} // namespace
 
-ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera)
+// See measure(). view: the marker, and in the end the light that was found. mayBeLit: whether the light on it may turn
+// out to be uneven.
+std::optional<Measurement> measureInLight(MarkerInImage &view, MarkerPattern pattern, bool refine, bool mayBeLit,
+                                          MeasureMemory &memory, const Deadline &deadline, const ImageNoise &noise)
 {
-  return {camera.toPixel(plane.project(Eigen::Vector2d::Zero())),
-          plane.radius / (plane.center.z() * meterPerPixelAt(plane, camera))};
-}
-
-bool isOtherRing(const Recognition &marker, const FittedPose &fit, const CameraModel &camera)
-{
-  const BlurParameters &blur = fit.photometry.blur;
-  const double most = std::max(mostSpreadOfRing, mostOfBlur * blur.widest() / frameOf(fit.plane, camera).size);
-  return !marker.family.isCoded() && std::abs(blur.spread) > most;
-}
-
-std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                   const Recognition &marker, bool refine, MeasureMemory &memory,
-                                   const Deadline &deadline, const ImageNoise &noise)
-{
-  MarkerPattern pattern = patternOf(marker.family, marker.code.id);
-  if (marker.darkness) {
-    pattern.darkness = *marker.darkness;
-  }
-  MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker,
-                        marker.measuredRing ? marker.measuredRing->uneven : std::nullopt};
+  const Recognition &marker = view.marker;
   FitSettings settings = settingsFor(view, pattern, deadline);
   settings.noise = noise;
   RankedFits ranked =
       marker.measuredRing && refine ? fitsOfRing(view) : fitCoarsely(view, refine, settings, pattern, memory);
-  if (refine && mayBeInUnevenLight(view, pattern, ranked, memory.pixels, noise.sigma)) {
+  if (refine && mayBeLit && mayBeInUnevenLight(view, pattern, ranked, memory.pixels, noise.sigma)) {
     ranked = withEvenLight(view, pattern, ranked, settings, memory);
   }
   const bool isInDoubt = refine && !marker.isCertain && pattern.sectors > 0;
@@ -197,6 +179,39 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
     result.cost2 = result.cost + unrefinedOdds(result.cost2 - result.cost, result.first, ranked.noise);
   }
   return result;
+}
+} // namespace
+
+ImageFrame frameOf(const MarkerPlane &plane, const CameraModel &camera)
+{
+  return {camera.toPixel(plane.project(Eigen::Vector2d::Zero())),
+          plane.radius / (plane.center.z() * meterPerPixelAt(plane, camera))};
+}
+
+bool isOtherRing(const Recognition &marker, const FittedPose &fit, const CameraModel &camera)
+{
+  const BlurParameters &blur = fit.photometry.blur;
+  const double most = std::max(mostSpreadOfRing, mostOfBlur * blur.widest() / frameOf(fit.plane, camera).size);
+  return !marker.family.isCoded() && std::abs(blur.spread) > most;
+}
+
+std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                   const Recognition &marker, bool refine, MeasureMemory &memory,
+                                   const Deadline &deadline, const ImageNoise &noise)
+{
+  MarkerPattern pattern = patternOf(marker.family, marker.code.id);
+  if (marker.darkness) {
+    pattern.darkness = *marker.darkness;
+  }
+  const MarkerInImage asTold = {I, camera, frameOf(marker.poses[0], camera), marker,
+                                marker.measuredRing ? marker.measuredRing->uneven : std::nullopt};
+  MarkerInImage view = asTold;
+  auto measurement = measureInLight(view, pattern, refine, true, memory, deadline, noise);
+  if (!measurement && !marker.hasCode() && view.uneven && !asTold.uneven && !deadline.hasPassed()) {
+    MarkerInImage evenly = asTold;
+    measurement = measureInLight(evenly, pattern, refine, false, memory, deadline, noise);
+  }
+  return measurement;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

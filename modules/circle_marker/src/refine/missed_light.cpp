@@ -31,11 +31,11 @@ namespace {
 // missed that the light is uneven.
 constexpr double muchUnexplained = 0.03;
 constexpr double muchMoreThanNoise = 1.4;
-// Of a plain ring, whose pose bends to where no code would follow: with the limits above one of 70 pixels was mirrored
-// by odds of e^19 under a weak reflection. Below this radius, pixels, light explains a little of anything.
-constexpr double muchUnexplainedOfRing = 0.015;
-constexpr double muchMoreThanNoiseOfRing = 1.2;
-constexpr double leastSizeOfRing = 20.;
+// Of a plain ring or a disc, whose pose bends to where no code would follow: with the limits above one of 70 pixels was
+// mirrored by odds of e^19 under a weak reflection. Below this radius, pixels, light explains a little of anything.
+constexpr double muchUnexplainedUncoded = 0.015;
+constexpr double muchMoreThanNoiseUncoded = 1.2;
+constexpr double leastSizeUncoded = 20.;
 // In even light no more than this share of the variance is left that is not the noise's. By private counts of markers
 // of 12 to 45 pixels nine in ten under reflections have less than 0.24, nine in ten that were moved, or compressed by
 // JPEG, more than 0.4.
@@ -79,14 +79,13 @@ bool mayBeInUnevenLight(const MarkerInImage &view, const MarkerPattern &pattern,
                         const std::vector<FitPixel> &pixels, double noise)
 {
   const Recognition &marker = view.marker;
-  if (marker.seen || !marker.isCertain || pattern.ringEdges < 2 || few.fits.empty() ||
-      few.fits[0].correlation < leastCorrelation) {
+  if (marker.seen || !marker.isCertain || few.fits.empty() || few.fits[0].correlation < leastCorrelation) {
     return false;
   }
   const FittedPose &fit = few.fits[0];
-  const bool isRing = pattern.sectors == 0 && view.frame.size > leastSizeOfRing;
-  const double share = isRing ? muchUnexplainedOfRing : muchUnexplained;
-  const double factor = isRing ? muchMoreThanNoiseOfRing : muchMoreThanNoise;
+  const bool isUncoded = pattern.sectors == 0 && view.frame.size > leastSizeUncoded;
+  const double share = isUncoded ? muchUnexplainedUncoded : muchUnexplained;
+  const double factor = isUncoded ? muchMoreThanNoiseUncoded : muchMoreThanNoise;
   const double most = std::max(share * fit.photometry.tellableContrast(), factor * noise);
   return unexplainedBy(fit) > most && !isPaperTooBright(fit, pixels);
 }

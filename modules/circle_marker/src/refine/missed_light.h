@@ -26,7 +26,7 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
   Whether coarse fits of a marker that was read for certain leave so much that the light on it may be uneven. This is
-  not asked of discs, nor of covered markers, nor where paper is brighter than the sensor can tell: what is cut off
+  not asked of covered markers, nor where paper is brighter than the sensor can tell: what is cut off
   there looks like uneven light, and hides what tells a code from another (over_exposed_code.h).
   \param view : The marker.
   \param pattern : Its print.
