@@ -30,10 +30,10 @@ namespace circle_marker {
 
   Linear interpolation at the phase p between two pixels keeps where a blurred edge is, and adds p (1 - p) to the
   variance of its blur, but p (1 - p) (1 - 2p) to its third moment as well, which a model with a symmetric blur takes
-  for a shift of the edge: 0.008 pixels in the root mean square over p of an edge that is blurred by 0.8. The phase
-  changes slowly over the image, so that many pixels agree on it, and none of them looks wrong. The covariance grows by
-  what independent shifts of eight parts of the marker, and one of the whole, do to the pose; FittedPose::resampled is
-  by how much less its tilt is known then.
+  for a shift of the edge by a twelfth of it over the blur's variance: 0.009 pixels in the root mean square over p of an
+  edge that is blurred by 0.8. The phase changes slowly over the image, so that many pixels agree on it, and none of
+  them looks wrong. The covariance grows by what independent shifts of up to eight parts of the marker do to the pose;
+  FittedPose::resampled is by how much less its tilt is known then.
   \param pattern : What is printed.
   \param unit : Size of a pixel in normalised coordinates.
   \param fit : The pose, with the covariance of its normal equations.
