@@ -135,7 +135,7 @@ TEST(DetectorProcessed, SmallCodesAreProvenByIndependentPixels)
 
 // An undistorted picture's marker is where the straight camera sees it, to some hundredths of a pixel: the
 // interpolation moves the edges by a hundredth, which no model has, and many pixels agree on. The covariance knows of
-// it from the noise; without, the mean was 4.3.
+// it from the noise; without, the mean was 6.9.
 TEST(DetectorProcessed, UndistortedPicturesAreMeasuredWithTheStraightCamera)
 {
   constexpr double mostOff = 0.05; // pixels, of the marker's centre

@@ -37,17 +37,18 @@ FittedPose fitOf(double radius, double lean, double blur)
   return fit;
 }
 
-//! The third moment of an edge's blur moves it, as its best fit has it, by a twelfth of it over the blur's variance.
+//! The third moment of an edge's blur moves it, as its best fit has it, by a twelfth of it over the blur's variance:
+//! the same sum as in the code, which the poses of undistorted pictures test (testDetectorProcessed).
 double shiftOf(double blur)
 {
   return thirdMoment / (12. * blur * blur);
 }
 } // namespace
 
-// A ring that nearly faces the camera, by hand: of its points only the way across is seen, and x is the mean of n_x (n . d)
-// over that of n_x^2. With the shifts d of eight parts independent and of variance 1 both ways its variance is
-// the sum over the octants of (integral of cos^2)^2 + (integral of cos sin)^2 over that of cos^2 all around, squared:
-// 4 ((pi/8 + 1/4)^2 + (pi/8 - 1/4)^2 + 2/16) / pi^2 = 1/8 + 1/pi^2.
+// A ring that nearly faces the camera, by hand: of its points only the way across is seen, and x is the mean of n_x (n
+// . d) over that of n_x^2. With the shifts d of eight parts independent and of variance 1 both ways its variance is the
+// sum over the octants of (integral of cos^2)^2 + (integral of cos sin)^2 over that of cos^2 all around, squared: 4
+// ((pi/8 + 1/4)^2 + (pi/8 - 1/4)^2 + 2/16) / pi^2 = 1/8 + 1/pi^2.
 TEST(ResamplingDoubt, OfAFrontalRingsPlaceByHand)
 {
   const MarkerPattern pattern = patternOf(vpCircleMarkerFamily(vpCircleMarkerFamily::RING), -1);

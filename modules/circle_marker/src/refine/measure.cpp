@@ -208,7 +208,7 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
   MarkerInImage view = asTold;
   auto measurement = measureInLight(view, pattern, refine, true, memory, deadline, noise);
   if (!measurement && !marker.hasCode() && view.uneven && !asTold.uneven && !deadline.hasPassed()) {
-    MarkerInImage evenly = asTold;
+    MarkerInImage evenly = asTold; // one of 36 discs in a photograph of a grid looked like none in the light found
     measurement = measureInLight(evenly, pattern, refine, false, memory, deadline, noise);
   }
   return measurement;
