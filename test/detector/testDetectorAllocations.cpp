@@ -166,6 +166,53 @@ TEST(DetectorAllocations, WantOfMemoryLeavesNoMarkers)
   }
 }
 
+// Where markers are followed and are whole nothing else is read. An image of which they are followed that there is no
+// memory for does not leave it so: in the next one a covered marker is found.
+TEST(DetectorAllocations, WantOfMemoryWhileFollowingLeavesCoveredMarkers)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::BCH31R);
+  vpSimulatedMarker marker = vpSimulatedMarker::circle("bch31r", randomId(random, family), size);
+  marker.setPose(vpHomogeneousMatrix(0., 0., 1., 0.3, 0.2, 0.));
+  vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+  simulator.addMarker(marker);
+  vpImage<unsigned char> whole;
+  simulator.render(whole, random());
+  std::vector<vpImagePoint> cover;
+  for (const auto &[x, y] : {std::pair<double, double>{0.02, -0.2}, {0.2, -0.2}, {0.2, 0.2}, {0.02, 0.2}}) {
+    cover.push_back(simulator.project(x, y, 1.));
+  }
+  simulator.addOccluder(vpSceneOccluder::polygon(cover, 30.));
+  vpImage<unsigned char> covered;
+  simulator.render(covered, random());
+  std::vector<vpHomogeneousMatrix> poses;
+  vpDetectorCircleMarker following(family);
+  ASSERT_TRUE(following.detect(covered, size, straightCamera(), poses));
+  following.setTracking(true);
+  ASSERT_TRUE(following.detect(whole, size, straightCamera(), poses));
+  int failures = 0;
+  bool isOver = false;
+  for (unsigned long n = 1; !isOver; ++n) {
+    vpDetectorCircleMarker detector(following); // with its tracks, and without working memory
+    allocations = 0;
+    failing = n;
+    isCounting = true;
+    try {
+      detector.detect(whole, size, straightCamera(), poses);
+      isOver = true;
+    }
+    catch (const std::exception &) { // std::bad_alloc, or ViSP's vpException
+    }
+    isCounting = false;
+    failing = 0;
+    if (!isOver) {
+      ++failures;
+      ASSERT_TRUE(detector.detect(covered, size, straightCamera(), poses)) << n;
+    }
+  }
+  EXPECT_GT(failures, 50);
+}
+
 TEST(DetectorAllocations, NoneWithoutAMarker)
 {
   Random random = randomOfTest();

@@ -126,6 +126,25 @@ TEST(DetectorReasons, OfThingsThatAreNoMarkers)
   EXPECT_EQ(reasonsAt(coded, 20., 240.), std::set<Reject>({Reject::OUT_OF_IMAGE}));
 }
 
+// Rings of several ratios have one name. Why one behind a bar is not of the one ratio is known whatever it is of the
+// other.
+TEST(DetectorReasons, RingsOfSeveralRatiosHaveEachTheirOwn)
+{
+  const vpCircleMarkerFamily thin = vpCircleMarkerFamily::ring(0.8);
+  vpDetectorCircleMarker detector;
+  detector.setFamilies({thin, vpCircleMarkerFamily::ring(0.6)});
+  const auto behindABar = [](cv::Mat &pixels) {
+    drawRing(pixels, 80, 48);
+    cv::line(pixels, middle + cv::Point(25, -120), middle + cv::Point(35, 120), cv::Scalar(150), 25);
+  };
+  reasonsFor(detector, behindABar);
+  const auto &rejected = detector.getRejectedCandidates();
+  const auto isThin = [&](const vpCircleMarkerCandidate &candidate) {
+    return candidate.isOutline && candidate.family.getLayout().ringInner == thin.getLayout().ringInner;
+  };
+  EXPECT_TRUE(std::any_of(rejected.begin(), rejected.end(), isThin));
+}
+
 TEST(DetectorReasons, ACodeThatIsHalfCoveredHasALowMarginOrNoCodeword)
 {
   Random random = randomOfTest();

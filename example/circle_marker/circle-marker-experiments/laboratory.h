@@ -53,7 +53,7 @@ private:
   Settings m_settings;                             //!< As given.
   CircleDetector m_ring;                           //!< For the plain ring.
   CircleDetector m_circle;                         //!< For the marker of this project.
-  std::map<std::string, CircleDetector> m_designs; //!< For other designs of it, by designName().
+  std::map<std::string, CircleDetector> m_designs; //!< For other designs of it, by nameOf().
   std::unique_ptr<AprilTagDetector> m_tag;         //!< Made when it is first needed.
   std::optional<vpMarkerSceneSimulator> m_camera;  //!< Of usual scenes, for the next one.
   vpImage<unsigned char> m_image;                  //!< The last picture.

@@ -25,6 +25,7 @@
 
 #include "support/json_file.h"
 #include "support/json_lines.h"
+#include "support/same_family.h"
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
 #include <algorithm>
 #include <array>
@@ -81,14 +82,6 @@ std::array<std::pair<const char *, double *>, 4> radiiOf(vpCircleMarkerLayout &l
            {"quietZone", &layout.quietZone}}};
 }
 
-bool isSame(vpCircleMarkerLayout one, vpCircleMarkerLayout other)
-{
-  const auto radii = radiiOf(one);
-  const auto others = radiiOf(other);
-  return std::equal(radii.begin(), radii.end(), others.begin(),
-                    [](const auto &p, const auto &q) { return *p.second == *q.second; });
-}
-
 // A family is its name; for a ring of its own ratio {"name": "ring", "ratio": 0.65}; with other radii {"name":
 // "golay23", "layout": {"ringInner": 0.75, ...}}, all four of them.
 vpCircleMarkerFamily readFamily(const Json &value)
@@ -117,11 +110,11 @@ vpCircleMarkerFamily readFamily(const Json &value)
 Json written(const vpCircleMarkerFamily &family)
 {
   vpCircleMarkerLayout layout = family.getLayout();
-  if (isSame(layout, vpCircleMarkerFamily(family.getType()).getLayout())) {
+  if (isSameLayout(layout, vpCircleMarkerFamily(family.getType()).getLayout())) {
     return family.getName();
   }
   if (family.getType() == vpCircleMarkerFamily::RING &&
-      isSame(layout, vpCircleMarkerFamily::ring(layout.ringInner).getLayout())) {
+      isSameLayout(layout, vpCircleMarkerFamily::ring(layout.ringInner).getLayout())) {
     return Json{{"name", family.getName()}, {"ratio", layout.ringInner}};
   }
   Json radii = Json::object();

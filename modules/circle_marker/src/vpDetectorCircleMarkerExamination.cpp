@@ -19,8 +19,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <tuple>
+
+#include "support/same_family.h"
 
 BEGIN_VISP_NAMESPACE
 
@@ -127,9 +128,9 @@ bool vpDetectorCircleMarker::Impl::settleChosen()
 /*! What an outline was last tried as gets the reason why it is none, if there is a new one and it is to be shown. */
 void vpDetectorCircleMarker::Impl::refuse(Examination &examination) const
 {
-  const std::string family = settings.families[m_attempts[examination.attempt - 1].family].getName();
+  const vpCircleMarkerFamily &family = settings.families[m_attempts[examination.attempt - 1].family];
   for (vpCircleMarkerCandidate &candidate : examination.candidates) {
-    if (examination.refusal != vpCircleMarkerReject::NONE && candidate.family.getName() == family) {
+    if (examination.refusal != vpCircleMarkerReject::NONE && isSameFamily(candidate.family, family)) {
       candidate.reason = examination.refusal;
     }
   }

@@ -132,6 +132,7 @@ private:
     bool isSizeGiven = false;               //!< Whether all markers have that size, whatever the database says.
     double haloError = 0.;        //!< Of what the camera had sharpened: how well that is undone, share of the contrast.
     bool isCameraGuessed = false; //!< Whether edges of circles may lie a little beside where it would show them.
+    bool readsWholeOnly = false;  //!< Whether nothing is read as covered, blurred or in doubt.
   };
 
   void detectBlack(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam, bool isCameraGuessed,
@@ -203,7 +204,6 @@ private:
   circle_marker::OutlineFitter m_follower;            //!< Finds them where they are expected.
   circle_marker::MarkerTracks m_tracks;               //!< Markers of the last images.
   unsigned int m_sinceWhole = 0;                      //!< Images since a whole one was searched.
-  bool m_readsWholeOnly = false;                      //!< Whether nothing is read as covered, blurred or in doubt.
   std::vector<circle_marker::SeenMarker> m_seen;      //!< Markers of the last image.
   std::vector<circle_marker::SeenMarker> m_inRegions; //!< Those of a search of its regions that did not find all.
   bool m_hadRegions = false;                          //!< Whether the regions of the last image were searched in vain.

@@ -151,14 +151,18 @@ bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const El
     return isMeasured;
   }
   if (isMeasured) {
-    return measureRestored(visit, outline, marker, workspace, fit, measured) || isMeasured;
+    measureRestored(visit, outline, marker, workspace, fit, measured);
+    return true;
   }
   for (const MarkerPlane &pose : marker.poses) {
     fit.poses.push_back(pose);
   }
   // A mask that was told at poses of the outline is told better at the pose that is measured behind it.
   const bool isRestored = measureRestored(visit, outline, marker, workspace, fit, measured);
-  return isRestored && (measureRestored(visit, outline, marker, workspace, fit, measured) || isRestored);
+  if (isRestored) {
+    measureRestored(visit, outline, marker, workspace, fit, measured);
+  }
+  return isRestored;
 }
 
 /*!
@@ -202,29 +206,28 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::explain(const Visit &vi
   std::optional<Measurement> measurement;
   if (isProofWanted) {
     measurement = measureProven(visit.I, visit.camera, visit.noise, marker, workspace.measuring, visit.deadline);
+    if (measurement) { // it may be another marker than was read
+      forEachPose(*measurement, [&](FittedPose &pose) { scaleTo(sizeOf(marker, visit), pose); });
+    }
   }
-  else if (settings.refinePose || !marker.blurred) { // the reading through a blur has its own poses
-    measurement =
-        measure(visit.I, visit.camera, marker, settings.refinePose, workspace.measuring, visit.deadline, visit.noise);
-  }
-  if (!isProofWanted) {
+  else {
+    if (settings.refinePose || !marker.blurred) { // the reading through a blur has its own poses
+      measurement =
+          measure(visit.I, visit.camera, marker, settings.refinePose, workspace.measuring, visit.deadline, visit.noise);
+    }
     measurement = bestMeasurement(marker, measurement);
-  }
-  if (measurement && settings.refinePose && !isProofWanted) {
-    measurement = withoutCover(visit, outline, *measurement, marker, workspace);
-    if (measurement && (showsOtherCode(visit.I, visit.camera, marker, *measurement, settings.decode.maximumHamming,
-                                       workspace.measuring) ||
-                        mayBeOtherCode(visit.I, visit.camera, marker, *measurement, workspace.measuring))) {
+    if (measurement && settings.refinePose) {
+      measurement = withoutCover(visit, outline, *measurement, marker, workspace);
+    }
+    if (measurement && settings.refinePose &&
+        (showsOtherCode(visit.I, visit.camera, marker, *measurement, settings.decode.maximumHamming,
+                        workspace.measuring) ||
+         mayBeOtherCode(visit.I, visit.camera, marker, *measurement, workspace.measuring))) {
       return std::nullopt;
     }
   }
-  if (!measurement || (settings.refinePose && !isNoise(measurement->first.noise, visit.noise.sigma))) {
-    return std::nullopt;
-  }
-  if (isProofWanted) { // it may be another marker than was read
-    forEachPose(*measurement, [&](FittedPose &pose) { scaleTo(sizeOf(marker, visit), pose); });
-  }
-  return measurement;
+  const bool isRight = measurement && (!settings.refinePose || isNoise(measurement->first.noise, visit.noise.sigma));
+  return isRight ? measurement : std::nullopt;
 }
 
 /*! What is in doubt besides the noise: the shape of the blur, the camera, and without refinement all of the pose. */

@@ -45,7 +45,9 @@ PixelBox vpDetectorCircleMarker::Impl::surroundingsOf(const EllipseCandidate &ou
 */
 void vpDetectorCircleMarker::Impl::keepSurroundings(const vpImage<unsigned char> &I)
 {
-  image.resize(I.getHeight(), I.getWidth()); // the assignment of images would allocate each time
+  if (image.getHeight() != I.getHeight() || image.getWidth() != I.getWidth()) {
+    image.resize(I.getHeight(), I.getWidth(), 0); // the assignment of images would allocate each time
+  }
   for (const Found &marker : found) {
     const PixelBox box = surroundingsOf(marker.outline, marker.marker.family, I);
     for (int y = box.top; y < box.bottom; ++y) {
@@ -98,7 +100,8 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
 }
 
 /*!
-  Pose of a marker of the last image for a given size and camera.
+  Pose of a marker of the last image for a given size and camera, as the detector is set now: where poses are not
+  refined or no sectors corrected any more, one that was found with them may have none.
 
   \param index : Index of the marker, from 0 to getNbObjects() - 1.
   \param size : Outer diameter of its ring, metres.
@@ -109,7 +112,7 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   \param projError2 : If not null, the same for cMo2, HUGE_VAL if there is none.
   \param covariance : If not null, that of cMo, 6 x 6: see vpCircleMarkerDetection.
   \param covariance2 : If not null, that of cMo2, zero if there is none.
-  \return Whether the pose could be computed with this camera.
+  \return Whether the pose could be computed with this camera and these settings.
   \exception vpException::badValue : If there is no such marker, or the size is not positive.
 */
 bool vpDetectorCircleMarker::getPose(size_t index, double size, const vpCameraParameters &cam, vpHomogeneousMatrix &cMo,

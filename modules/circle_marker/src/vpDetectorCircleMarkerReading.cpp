@@ -23,6 +23,7 @@
 #include "decode/edge_width.h"
 #include "detect_covered.h"
 #include "pose/hypotheses.h"
+#include "support/same_family.h"
 #include "debug_record.h"
 #include "measure_proven.h"
 
@@ -51,7 +52,7 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   while (seen && !examination.marker && examination.attempt < m_attempts.size() && !visit.deadline.hasPassed()) {
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
-    if (attempt.kind != ReadingKind::WHOLE && (m_readsWholeOnly || attempt.family == examination.otherRingOf)) {
+    if (attempt.kind != ReadingKind::WHOLE && (visit.readsWholeOnly || attempt.family == examination.otherRingOf)) {
       continue;
     }
     if (attempt.kind != ReadingKind::WHOLE) {
@@ -80,7 +81,7 @@ void vpDetectorCircleMarker::Impl::keepAsMarker(const EllipseCandidate &outline,
   }
   std::vector<vpCircleMarkerCandidate> &candidates = examination.candidates;
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                                  [&](const auto &other) { return other.family.getName() == family.getName(); }),
+                                  [&](const auto &other) { return isSameFamily(other.family, family); }),
                    candidates.end());
   candidates.push_back(candidateOf(outline, family, vpCircleMarkerReject::NONE));
 }
@@ -143,7 +144,7 @@ void vpDetectorCircleMarker::Impl::allowBlurred(const Visit &visit, const Outlin
   }
   std::size_t allowed = 0;
   for (std::size_t i = 0;
-       isAsked && !m_readsWholeOnly && i < outlines.size() && allowed < mostBlurred && !visit.deadline.hasPassed();
+       isAsked && !visit.readsWholeOnly && i < outlines.size() && allowed < mostBlurred && !visit.deadline.hasPassed();
        ++i) {
     m_examinations[i].mayBeBlurred =
         !outlines[i].isThin && looksBlurred(visit.I, outlines[i].ellipse, !hasRings, quietZone);

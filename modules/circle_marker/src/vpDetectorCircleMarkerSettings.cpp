@@ -214,13 +214,8 @@ bool vpDetectorCircleMarker::isZAlignedWithCameraAxis() const
 */
 void vpDetectorCircleMarker::loadConfigFile(const std::string &filename)
 {
-  const circle_marker::DetectorSettings settings = circle_marker::readSettings(filename, m_impl->settings);
-  setFamilies(settings.families);
-  setMarkerSizes(settings.sizes);
-  setMinimumMargin(settings.decode.minimumMargin);
-  setNbThreads(settings.threads);
-  setTracking(settings.tracking, settings.fullSearchPeriod);
-  m_impl->settings = settings;
+  m_impl->settings = circle_marker::readSettings(filename, m_impl->settings);
+  m_impl->forgetTracks();
 }
 
 /*!

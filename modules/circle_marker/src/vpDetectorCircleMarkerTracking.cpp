@@ -104,10 +104,9 @@ bool vpDetectorCircleMarker::Impl::followAll(const Visit &visit, const std::vect
   if (keepsDebug || m_tracks.haveLost() || !followOutlines(visit, boxes)) {
     return false;
   }
-  m_readsWholeOnly = m_tracks.areWhole();
-  const bool areThere = examineRegions(visit) && m_tracks.haveAll(m_seen, true);
-  m_readsWholeOnly = false;
-  return areThere;
+  Visit following = visit;
+  following.readsWholeOnly = m_tracks.areWhole();
+  return examineRegions(following) && m_tracks.haveAll(m_seen, true);
 }
 
 /*! The outlines of the regions through the rooms after them; whether all markers that are followed are there. */

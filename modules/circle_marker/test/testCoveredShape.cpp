@@ -50,6 +50,16 @@ template <typename Scene> auto behindEdge(const Scene &scene, double direction, 
     return way > distance ? grey : scene(u, v);
   };
 }
+
+// A scene with two discs of one grey level, so far to either side of the marker's centre; in outer radii.
+template <typename Scene> auto underDiscs(const Scene &scene, double radius, double aside, double grey)
+{
+  return [&scene, radius, aside, grey](double u, double v) {
+    const Eigen::Vector2d place = scene.onMarker(u, v);
+    const Eigen::Vector2d nearest(std::abs(place.x()) - aside, place.y());
+    return nearest.norm() < radius ? grey : scene(u, v);
+  };
+}
 } // namespace
 
 TEST(CoveredShape, AWholeRingIsSeenAllAround)
@@ -106,6 +116,32 @@ TEST(CoveredShape, ACodedMarkerIsNoCoveredRing)
     seen += seenOf(digitise(expose(side, side, 0.7, scene), 2., random), scene) ? 1 : 0;
   }
   EXPECT_LE(seen, markers / 20);
+}
+
+// With something on its centre neither is a marker's print white there, but before its sectors it is.
+TEST(CoveredShape, ACodedMarkerWithACoveredCentreIsNoCoveredRing)
+{
+  Random random = randomOfTest();
+  unsigned int seen = 0;
+  constexpr unsigned int markers = 80;
+  for (unsigned int i = 0; i < markers; ++i) {
+    const auto type = i % 2 == 0 ? vpCircleMarkerFamily::GOLAY23 : vpCircleMarkerFamily::BCH31R;
+    const MarkerScene scene = plain(random, type, static_cast<int>(random() % 66));
+    const auto covered = underDiscs(scene, 0.36, 0., 30.);
+    seen += seenOf(digitise(expose(side, side, 0.7, covered), 2., random), scene) ? 1 : 0;
+  }
+  EXPECT_LE(seen, markers / 20);
+}
+
+// What lies in a plain ring without touching it is not taken for sectors: here in a third of all directions.
+TEST(CoveredShape, SomethingInsideOfAPlainRingCoversIt)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 30; ++i) {
+    const MarkerScene scene = plain(random, vpCircleMarkerFamily::RING);
+    const auto covered = underDiscs(scene, 0.36, 0.3, uniform(random, 20., 60.));
+    EXPECT_TRUE(seenOf(digitise(expose(side, side, 0.7, covered), 2., random), scene)) << i;
+  }
 }
 
 TEST(CoveredShape, ADiscIsNoCoveredRing)

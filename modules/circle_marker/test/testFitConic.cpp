@@ -199,27 +199,6 @@ TEST(FitConic, AsGoodAsTheBoundOnNoisyArcs)
   }
 }
 
-TEST(FitConic, WeightsCountPoints)
-{
-  std::mt19937_64 random = randomOfTest();
-  std::normal_distribution<double> noise(0., 0.2);
-  const EllipseParameters e = randomEllipse(random, 0.5);
-  Points points = arcOf(e, 30, 0., 5.);
-  Points doubled;
-  std::vector<double> weights;
-  for (std::size_t i = 0; i < points.size(); i++) {
-    points[i] += Eigen::Vector2d(noise(random), noise(random));
-    weights.push_back(static_cast<double>(i % 3));
-    doubled.insert(doubled.end(), i % 3, points[i]);
-  }
-  const auto weighted = fitEllipse(points.data(), points.size(), weights.data());
-  const auto repeated = fitEllipse(doubled.data(), doubled.size());
-  const auto equal = fitEllipse(points.data(), points.size());
-  ASSERT_TRUE(weighted && repeated && equal);
-  EXPECT_LT((*weighted - *repeated).norm(), 1e-10);
-  EXPECT_GT((*weighted - *equal).norm(), 1e-8);
-}
-
 TEST(FitConic, RefusesWhatIsNoEllipse)
 {
   EllipseParameters e;
@@ -229,10 +208,6 @@ TEST(FitConic, RefusesWhatIsNoEllipse)
   ASSERT_TRUE(fitEllipse(points.data(), 5));
   EXPECT_FALSE(fitEllipse(points.data(), 4));
   EXPECT_FALSE(fitEllipse(nullptr, 0));
-  std::vector<double> weights = {1., 1., 1., 1., 0.};
-  EXPECT_FALSE(fitEllipse(points.data(), 5, weights.data())) << "a point of weight 0 is no point";
-  weights[4] = -1.;
-  EXPECT_FALSE(fitEllipse(points.data(), 5, weights.data()));
   points[3].x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(fitEllipse(points.data(), 5));
   Points line, place;

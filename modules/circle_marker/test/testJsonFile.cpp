@@ -62,4 +62,16 @@ TEST(JsonFile, WhatCannotBeWrittenLeavesNothingBehind)
   };
   EXPECT_EXIT(writeTooMuch(), ::testing::ExitedWithCode(0), "");
 }
+
+TEST(JsonFile, WhatItsOwnerAloneMayReadStaysSo)
+{
+  const fs::path filename = fs::temp_directory_path() / ("testJsonFile-private-" + std::to_string(getpid()));
+  ASSERT_TRUE(writeWhole(filename.string(), "old"));
+  const fs::perms isPrivate = fs::perms::owner_read | fs::perms::owner_write;
+  fs::permissions(filename, isPrivate);
+  ASSERT_TRUE(writeWhole(filename.string(), "new"));
+  EXPECT_EQ(fs::status(filename).permissions(), isPrivate);
+  EXPECT_EQ(readWhole(filename.string()), "new");
+  fs::remove(filename);
+}
 #endif

@@ -81,7 +81,7 @@ int motionSteps(const vpSceneMotion &motion, const std::vector<vpSimulatedMarker
   for (const vpSimulatedMarker &marker : markers) {
     longest = std::max(longest, motionInImage(marker, motion.twist, lens));
   }
-  return std::clamp(static_cast<int>(std::ceil(longest / MOTION_STEP)), 1, MOST_MOTION_STEPS);
+  return static_cast<int>(std::clamp(std::ceil(longest / MOTION_STEP), 1., static_cast<double>(MOST_MOTION_STEPS)));
 }
 
 } // namespace

@@ -25,6 +25,7 @@
 #include <Eigen/LU>
 
 #include "pose/circle_bounds.h"
+#include "support/pixel_box.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -38,6 +39,7 @@ constexpr double seenQuietZone = 0.9;
 // The numbers are guesses; bench-circle-marker --hardships has what they are worth.
 constexpr double coherenceOfCode = 4.;
 constexpr double coherenceOfRing = 16.;
+constexpr int largestBlock = 1 << 16; // pixels: more than an image has
 
 void move(const Eigen::Matrix<double, 6, 1> &twist, MarkerPlane &plane)
 {
@@ -65,16 +67,15 @@ void BlurredMarker::select(const MarkerPlane &plane, const ImageBlur &blur, std:
   const auto [least, most] = boundsOfCircle(plane, m_camera, radius, 16);
   m_extent = 0.5 * (most - least).maxCoeff();
   const double area = M_PI_4 * (most - least).prod();
-  const int block = std::max(1, static_cast<int>(std::lround(std::sqrt(area / static_cast<double>(count)))));
+  const int block = std::max(1, pixelWithin(std::round(std::sqrt(area / static_cast<double>(count))), largestBlock));
   m_block = block;
   m_print.set(plane, blur, m_meterPerPixel, m_block);
-  const auto within = [](double place, unsigned int size) {
-    return static_cast<int>(std::clamp(place, 0., static_cast<double>(size)));
-  };
-  const int left = within(std::ceil(least.x()), m_image.getWidth());
-  const int top = within(std::ceil(least.y()), m_image.getHeight());
-  const int right = within(std::floor(most.x()) + 1., m_image.getWidth());
-  const int bottom = within(std::floor(most.y()) + 1., m_image.getHeight());
+  const int width = static_cast<int>(m_image.getWidth());
+  const int height = static_cast<int>(m_image.getHeight());
+  const int left = pixelWithin(std::ceil(least.x()), width);
+  const int top = pixelWithin(std::ceil(least.y()), height);
+  const int right = pixelWithin(std::floor(most.x()) + 1., width);
+  const int bottom = pixelWithin(std::floor(most.y()) + 1., height);
   for (int y = top; y + block <= bottom && !m_deadline.hasPassed(); y += block) {
     for (int x = left; x + block <= right; x += block) {
       BlurredSample sample;

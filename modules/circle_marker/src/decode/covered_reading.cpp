@@ -34,13 +34,9 @@ namespace circle_marker {
 namespace {
 // Share of the ring that must be seen: a straight edge that covers 40 % of the disc leaves 55 % of the ring.
 constexpr double leastRing = 0.34;
-// Share of the light that the ink takes away, at least: contrast of 25 grey levels on paper of 130 leaves 0.19.
-constexpr double leastInk = 0.1;
 // A direction shows the ring if its step is this share of the usual one, on its outside, and on its inside.
 constexpr double leastOuterStep = 0.6;
 constexpr double leastInnerStep = 0.4;
-// Where blur leaves less than this share of a step, noise is not enlarged to tell it.
-constexpr double leastExpected = 0.15;
 // White beside the track differs from the light by this share of it at most, and by more where that differs from its
 // plane more, up to a bound.
 constexpr double sameWhite = 0.03;

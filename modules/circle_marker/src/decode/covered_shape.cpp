@@ -33,32 +33,35 @@ namespace {
 constexpr unsigned int directions = 64;
 // Share of the ring that must be seen.
 constexpr double leastRing = 0.5;
-// Share of the light that the ink takes away, at least: contrast of 25 grey levels on paper of 130 leaves 0.19.
-constexpr double leastInk = 0.1;
 // A direction shows the ring if its step is this share of the usual one, on either side.
 constexpr double leastStep = 0.6;
-// Where blur leaves less than this share of a step, noise is not enlarged to tell it.
-constexpr double leastExpected = 0.15;
 // Where the white inside is read, of the ring's inner radius: past most of the blur of its edge, where a marker of the
 // usual print has its code.
 constexpr double besideRing = 0.75;
 // And nearer to the centre, where that print is white again.
 constexpr double towardCenter = 0.4;
-// What covers the inside of a ring may leave its edge and its centre. Of the sectors of a code, where it is so, a fifth
-// and more are black: share of the directions that show the edge.
+// What covers the inside of a ring may leave its edge and its centre, or the white that follows it. Of the sectors of a
+// code, where it is so, a fifth and more are black: share of the directions that show the edge.
 constexpr double mostLikeSectors = 0.18;
 // In a wider blur, outer radii, the print's centre is not white any more where it is looked at.
 constexpr double leastTold = 0.08;
+// Where the white between ring and code is read, of the ring's inner radius: in its middle, in the usual print.
+constexpr double insideRing = 0.925;
+// And the widest blur that leaves enough of it between two blacks, outer radii.
+constexpr double mostGap = 0.06;
+// So many runs of black behind such white are sectors: what lies in a plain ring without touching it is one or two.
+constexpr unsigned int leastSectors = 3;
 
 /*! Radii at which each direction is looked at, from the outside. */
 enum Place : std::size_t
 {
   OUTSIDE,
   RING,
+  GAP,
   INSIDE,
   CENTER
 };
-constexpr std::size_t places = 4;
+constexpr std::size_t places = 5;
 
 /*! One direction from the marker's centre. */
 struct Direction
@@ -119,14 +122,37 @@ std::optional<double> inkOf(const std::array<Direction, directions> &all)
   const UsualInk usual = usualInk(inks.data(), count);
   return static_cast<double>(usual.agreeing) >= leastRing * directions ? std::make_optional(usual.ink) : std::nullopt;
 }
+
+/*! What a direction has inside of the white that follows the ring. */
+enum class Behind
+{
+  UNKNOWN,
+  WHITE,
+  BLACK
+};
+
+// How often black begins around, past what is not known.
+unsigned int runsOfBlack(const std::array<Behind, directions> &all)
+{
+  unsigned int runs = 0;
+  Behind last = Behind::UNKNOWN;
+  for (unsigned int i = 0; i < 2 * directions; ++i) { // the first turn tells what comes before the second
+    const Behind here = all[i % directions];
+    if (here != Behind::UNKNOWN) {
+      runs += i >= directions && here == Behind::BLACK && last == Behind::WHITE ? 1 : 0;
+      last = here;
+    }
+  }
+  return runs;
+}
 } // namespace
 
 std::optional<SeenParts> seenPartsOfRing(const vpImage<unsigned char> &I, const CameraModel &camera,
                                          const MarkerPlane &plane, const vpCircleMarkerLayout &layout)
 {
   const double inner = layout.ringInner;
-  const std::array<double, places> radii = {
-      {radiusOfWhite(layout.quietZone), 0.5 * (1. + inner), besideRing * inner, towardCenter * inner}};
+  const std::array<double, places> radii = {{radiusOfWhite(layout.quietZone), 0.5 * (1. + inner), insideRing * inner,
+                                             besideRing * inner, towardCenter * inner}};
   std::array<Direction, directions> all;
   for (unsigned int i = 0; i < directions; ++i) {
     all[i] = lookAt(I, camera, plane, radii, inner, i);
@@ -143,6 +169,7 @@ std::optional<SeenParts> seenPartsOfRing(const vpImage<unsigned char> &I, const 
   seen.core = 0.;
   std::size_t edges = 0;
   std::size_t likeSectors = 0;
+  std::array<Behind, directions> behind{};
   for (unsigned int i = 0; i < directions; ++i) {
     const Direction &direction = all[i];
     const auto isUsual = [&](double here) { return here > leastStep * *ink && here < *ink / leastStep; };
@@ -151,9 +178,15 @@ std::optional<SeenParts> seenPartsOfRing(const vpImage<unsigned char> &I, const 
       seen.ring[i] = isUsual(inkBeside(direction, INSIDE));
       const bool isLikeSector = direction.blur > leastTold || isUsual(inkBeside(direction, CENTER));
       likeSectors += !seen.ring[i] && isLikeSector ? 1 : 0;
+      if (direction.blur < mostGap && isUsual(inkBeside(direction, GAP))) {
+        behind[i] = seen.ring[i] ? Behind::WHITE : Behind::BLACK;
+      }
     }
   }
-  const bool hasCode = static_cast<double>(likeSectors) > mostLikeSectors * static_cast<double>(edges);
+  const auto behindGap = static_cast<std::size_t>(std::count(behind.begin(), behind.end(), Behind::BLACK));
+  const double mostCovered = mostLikeSectors * static_cast<double>(edges);
+  const bool hasCode = static_cast<double>(likeSectors) > mostCovered ||
+                       (static_cast<double>(behindGap) > mostCovered && runsOfBlack(behind) >= leastSectors);
   if (hasCode || static_cast<double>(seen.ring.count()) < leastRing * directions) {
     return std::nullopt;
   }

@@ -58,7 +58,6 @@ public:
 
   unsigned int getLength() const { return m_length; }
   unsigned int getDimension() const { return m_length - m_degree; }
-  unsigned int getMinimumDistance() const { return m_minimumDistance; }
 
   /*! Largest number of wrong sectors with one nearest codeword: (d-1)/2. */
   unsigned int getCapacity() const { return (m_minimumDistance - 1) / 2; }

@@ -18,18 +18,16 @@
 #include "decode/outline_in_image.h"
 
 #include <algorithm>
-#include <tuple>
+
+#include "support/same_family.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 const Judged<SectorReading> &OutlineInImage::sectorsAt(std::size_t pose, const vpCircleMarkerFamily &family)
 {
-  const auto keyOf = [](unsigned int sectors, const vpCircleMarkerLayout &layout) {
-    return std::make_tuple(sectors, layout.ringInner, layout.codeOuter, layout.codeInner, layout.quietZone);
-  };
-  const auto wanted = keyOf(family.getNbSectors(), family.getLayout());
-  auto track = std::find_if(m_tracks.begin(), m_tracks.end(),
-                            [&](const Track &known) { return keyOf(known.sectors, known.layout) == wanted; });
+  auto track = std::find_if(m_tracks.begin(), m_tracks.end(), [&](const Track &known) {
+    return known.sectors == family.getNbSectors() && isSameLayout(known.layout, family.getLayout());
+  });
   if (track == m_tracks.end()) {
     track = m_tracks.begin() + static_cast<std::ptrdiff_t>(m_next);
     m_next = (m_next + 1) % m_tracks.size();

@@ -103,7 +103,7 @@ std::optional<Recognition> recogniseCoveredRing(const vpImage<unsigned char> &I,
 
 /*!
   A plain ring of which something covers a part, or that reaches out of the image, with what is seen of it. It has to be
-  measured to tell whether it is one. Its margin is the share of the ring that is seen.
+  measured to tell whether it is one. Its margin is 1, as that of all without a code.
   \return Nothing if it is no family of rings, the outline is small, or too little is seen.
 */
 std::optional<Recognition> recogniseCoveredShape(const OutlineInImage &seen, const vpCircleMarkerFamily &family);

@@ -22,6 +22,7 @@
 
 #include "pose/circle_bounds.h"
 #include "support/normal_distribution.h"
+#include "support/pixel_box.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -51,6 +52,7 @@ constexpr double firstStep = 1. / 12.;
 constexpr double secondStep = 1. / 24.;
 // So many pixels tell as much as all.
 constexpr double enoughPixels = 3000.;
+constexpr int largestStep = 1 << 16; // pixels: more than an image has
 } // namespace
 
 TrackPixels::TrackPixels(const vpImage<unsigned char> &I, const CameraModel &camera, const MeasuredRing &ring,
@@ -68,17 +70,16 @@ void TrackPixels::collect(const vpImage<unsigned char> &I, const CameraModel &ca
   constexpr int directions = 32;
   const auto [least, most] = boundsOfCircle(ring.plane, camera, 1., directions);
   const double area = M_PI_4 * (most - least).prod();
-  const int step = std::max(1, static_cast<int>(std::lround(std::sqrt(area / enoughPixels))));
-  const auto clamped = [](double value, unsigned int size) {
-    return static_cast<int>(std::clamp(value, 0., static_cast<double>(size) - 1.));
-  };
+  const int step = std::max(1, pixelWithin(std::round(std::sqrt(area / enoughPixels)), largestStep));
   const NormalDistribution &normal = NormalDistribution::instance();
   const Eigen::Matrix2d blur = ring.photometry.blur.sigma * ring.photometry.blur.shape();
   const double growth = ring.photometry.blur.spread;
-  const int right = clamped(most.x() + 1., I.getWidth());
-  const int bottom = clamped(most.y() + 1., I.getHeight());
-  const int left = clamped(least.x(), I.getWidth());
-  const int top = clamped(least.y(), I.getHeight());
+  const int lastColumn = static_cast<int>(I.getWidth()) - 1;
+  const int lastRow = static_cast<int>(I.getHeight()) - 1;
+  const int right = pixelWithin(most.x() + 1., lastColumn);
+  const int bottom = pixelWithin(most.y() + 1., lastRow);
+  const int left = std::min(pixelWithin(least.x(), lastColumn), right); // of a circle that is nowhere in the image, too
+  const int top = std::min(pixelWithin(least.y(), lastRow), bottom);
   m_memory.columns = static_cast<std::size_t>((right - left) / step + 3);
   m_memory.grid.assign(m_memory.columns * static_cast<std::size_t>((bottom - top) / step + 3), -1);
   for (int v = top; v <= bottom; v += step) {

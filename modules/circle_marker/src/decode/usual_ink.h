@@ -25,6 +25,12 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
+/*! Share of the light that the ink takes away, at least: contrast of 25 grey levels on paper of 130 leaves 0.19. */
+constexpr double leastInk = 0.1;
+
+/*! Where blur leaves less than this share of a step, noise is not enlarged to tell it. */
+constexpr double leastExpected = 0.15;
+
 /*! The ink of a marker, as share of the light that it takes away, and how many directions agree on it. */
 struct UsualInk
 {

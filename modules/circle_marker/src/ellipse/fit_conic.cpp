@@ -35,7 +35,7 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 constexpr int laneCount = 4;
 using Lanes = Eigen::Array<double, laneCount, 1>;
 
-//! Some points, each with its share of all weights; where there are no more, the last one again, without any.
+//! Some points, each with its share of the sums; where there are no more, the last one again, without any.
 struct PointLanes
 {
   Lanes x;
@@ -48,12 +48,9 @@ struct WhitenedPoints
 {
   const Eigen::Vector2d *points;
   std::size_t size;
-  const double *weights;
-  double scale; // of the weights: their sum is one
+  double weight; // of each: their sum is one
   Eigen::Vector2d mean;
   Eigen::Matrix2d W;
-
-  double weight(std::size_t i) const { return weights ? weights[i] * scale : scale; }
 
   //! Calls use(lanes) for all points, whitened.
   template <class Use> void forEach(const Use &use) const
@@ -64,7 +61,7 @@ struct WhitenedPoints
         const std::size_t i = std::min(first + static_cast<std::size_t>(k), size - 1);
         lanes.x[k] = points[i].x() - mean.x();
         lanes.y[k] = points[i].y() - mean.y();
-        lanes.weight[k] = first + static_cast<std::size_t>(k) < size ? weight(i) : 0.;
+        lanes.weight[k] = first + static_cast<std::size_t>(k) < size ? weight : 0.;
       }
       const Lanes x = lanes.x;
       lanes.x = W(0, 0) * x + W(0, 1) * lanes.y;
@@ -74,31 +71,26 @@ struct WhitenedPoints
   }
 };
 
-std::optional<WhitenedPoints> whiten(const Eigen::Vector2d *points, std::size_t size, const double *weights)
+std::optional<WhitenedPoints> whiten(const Eigen::Vector2d *points, std::size_t size)
 {
-  WhitenedPoints whitened{points, size, weights, 1., Eigen::Vector2d::Zero(), Eigen::Matrix2d::Identity()};
-  double sum = 0.;
-  std::size_t used = 0;
-  for (std::size_t i = 0; i < size; i++) {
-    const double w = whitened.weight(i);
-    if (!points[i].allFinite() || !(w >= 0.) || !std::isfinite(w)) {
-      return std::nullopt;
-    }
-    sum += w;
-    used += (w > 0.) ? 1 : 0;
-    whitened.mean += w * points[i];
-  }
-  // An ellipse has five parameters.
-  if (used < 5) {
+  constexpr std::size_t parameters = 5; // of an ellipse
+  if (size < parameters) {
     return std::nullopt;
   }
-  whitened.scale = 1. / sum;
-  whitened.mean /= sum;
+  WhitenedPoints whitened{points, size, 1. / static_cast<double>(size), Eigen::Vector2d::Zero(),
+                          Eigen::Matrix2d::Identity()};
+  for (std::size_t i = 0; i < size; i++) {
+    if (!points[i].allFinite()) {
+      return std::nullopt;
+    }
+    whitened.mean += points[i];
+  }
+  whitened.mean /= static_cast<double>(size);
 
   Eigen::Matrix2d scatter = Eigen::Matrix2d::Zero();
   for (std::size_t i = 0; i < size; i++) {
     const Eigen::Vector2d d = points[i] - whitened.mean;
-    scatter += whitened.weight(i) * d * d.transpose();
+    scatter += whitened.weight * d * d.transpose();
   }
   // Points on a line: a spread across it below this share of the spread along it is rounding, not shape. The scatter
   // has the squares of both, so that this is well above the square root of its own rounding, 1.5e-8.
@@ -301,10 +293,9 @@ Vector6d refine(const WhitenedPoints &points, Vector6d conic, const FitLimits &l
 }
 } // namespace
 
-std::optional<Eigen::Matrix3d> fitEllipse(const Eigen::Vector2d *points, std::size_t size, const double *weights,
-                                          const FitLimits &limits)
+std::optional<Eigen::Matrix3d> fitEllipse(const Eigen::Vector2d *points, std::size_t size, const FitLimits &limits)
 {
-  const std::optional<WhitenedPoints> whitened = whiten(points, size, weights);
+  const std::optional<WhitenedPoints> whitened = whiten(points, size);
   if (!whitened) {
     return std::nullopt;
   }

@@ -60,13 +60,12 @@ constexpr FitLimits directFit = {0, 0., 0.};
 
   \param points : At least 5 points, in any unit.
   \param size : Number of points.
-  \param weights : Weights of the squared distances, or nullptr for equal ones; a point of weight 0 is left out.
   \param limits : When to stop.
   \return Conic of unit Frobenius norm, negative inside; nothing for fewer than 5 points, points on a line or not
   finite, or if no ellipse is near them.
 */
 std::optional<Eigen::Matrix3d> fitEllipse(const Eigen::Vector2d *points, std::size_t size,
-                                          const double *weights = nullptr, const FitLimits &limits = FitLimits());
+                                          const FitLimits &limits = FitLimits());
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

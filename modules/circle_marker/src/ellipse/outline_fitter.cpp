@@ -301,7 +301,7 @@ bool OutlineFitter::fitPoints(const EdgePoint *points, std::size_t count, Ellips
   for (std::size_t i = 0; i < count; i += stride) {
     m_positions.push_back(points[i].position);
   }
-  const auto conic = fitEllipse(m_positions.data(), m_positions.size(), nullptr, limits);
+  const auto conic = fitEllipse(m_positions.data(), m_positions.size(), limits);
   if (!conic) {
     return false;
   }

@@ -31,11 +31,6 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// All pixels are used up to a marker of some 500 pixels diameter: every pixel that is left out is information lost.
-constexpr double manyPixels = 20000.;
-// How far the coarse fits are off, pixels. (With 0.1, which nearly all clear ones are nearer than, a covered code was
-// read as another: testDetectorWrongIds.)
-constexpr double coarseError = 0.3;
 // Of a bent sheet's ring this share is seen at least: the quiet zone of one at the image's border is not all in it, and
 // such a marker is read as one of which a part is covered.
 constexpr double leastSeenOfBent = 0.75;
@@ -71,12 +66,15 @@ bool lacksTwin(const Few<FittedPose> &fits, bool isSmall)
 // maximum only.
 bool isTwinHopeless(const RankedFits &ranked, const MarkerPattern &pattern, MeasureMemory &memory)
 {
-  const FittedPose &best = ranked.fits[0];
+  FittedPose best = ranked.fits[0];
   FittedPose twin = best;
   twin.plane = mirrored(best.plane);
   twin.isSettled = false;
   twin.decrement = HUGE_VAL; // is not asked for: the most that isHopeless() allows
-  twin.squares = memory.fitter->robustSquares(memory.pixels, twin, pattern, best.photometry, ranked.noise, true);
+  // Of one fit there are the squares by its own noise, with what is held of gamma and ink: not those of another pose.
+  for (FittedPose *fit : {&best, &twin}) {
+    fit->squares = memory.fitter->robustSquares(memory.pixels, *fit, pattern, best.photometry, ranked.noise, true);
+  }
   return isHopeless(twin, best, ranked.noise);
 }
 
@@ -91,7 +89,8 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, boo
     PaperEnd &square = pattern.paper[static_cast<std::size_t>(PaperShape::SQUARE)];
     square.angle = squareAngleOf(view.I, view.camera, planes[0], square.extent, blur.sigma);
   }
-  const PixelChoice choice = {blur, coarseError, manyPixels};
+  PixelChoice choice;
+  choice.blur = blur;
   memory.fitter->selectPixels(view.I, view.camera, view.frame, planes.data(), fits.size(), pattern, choice,
                               memory.pixels);
   dropCovered(view.marker, memory.pixels);

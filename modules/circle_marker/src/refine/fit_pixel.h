@@ -64,9 +64,13 @@ struct FitPixel
 /*! Which pixels of a marker are chosen. */
 struct PixelChoice
 {
-  BlurParameters blur;      //!< Expected at the edges: it makes the width of the band around them.
-  double poseError = 0.3;   //!< How far from where they are thought to be the edges may be, pixels.
-  double manyPixels = 20e3; //!< Number of pixels from which the marker is thinned.
+  BlurParameters blur; //!< Expected at the edges: it makes the width of the band around them.
+  /*! How far from where coarse fits have them the edges may be, pixels. (With 0.1, which nearly all clear ones are
+      nearer than, a covered code was read as another: testDetectorWrongIds.) */
+  double poseError = 0.3;
+  /*! Number of pixels from which the marker is thinned: some 500 pixels diameter. Each that is left out is information
+      lost. */
+  double manyPixels = 20e3;
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

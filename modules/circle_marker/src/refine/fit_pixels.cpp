@@ -51,13 +51,10 @@ PixelBox boundingBox(const vpImage<unsigned char> &I, const CameraModel &camera,
     least = least.cwiseMin(bounds.least);
     most = most.cwiseMax(bounds.most);
   }
-  const auto inside = [](double value, int limit) {
-    return static_cast<int>(std::clamp(value, 0., static_cast<double>(limit)));
-  };
   const int width = static_cast<int>(I.getWidth());
   const int height = static_cast<int>(I.getHeight());
-  return {inside(std::floor(least.x()), width - 1), inside(std::floor(least.y()), height - 1),
-          inside(std::ceil(most.x()), width - 1) + 1, inside(std::ceil(most.y()), height - 1) + 1};
+  return {pixelWithin(std::floor(least.x()), width - 1), pixelWithin(std::floor(least.y()), height - 1),
+          pixelWithin(std::ceil(most.x()), width - 1) + 1, pixelWithin(std::ceil(most.y()), height - 1) + 1};
 }
 
 // Length of all edges of the pattern in the image, pixels.

@@ -115,7 +115,9 @@ bool undo(const UnsharpMask &mask, const vpImage<unsigned char> &I, const cv::Re
     const cv::Mat whole(static_cast<int>(image.getHeight()), static_cast<int>(image.getWidth()), CV_8U, image.bitmap);
     return whole(box);
   };
-  restored.resize(I.getHeight(), I.getWidth());
+  if (restored.getHeight() != I.getHeight() || restored.getWidth() != I.getWidth()) {
+    restored.resize(I.getHeight(), I.getWidth(), 0); // beyond the box a fit sees what it saw before, or black
+  }
   const cv::Mat before = viewOf(I);
   cv::Mat sharpened;
   before.convertTo(sharpened, CV_32F);

@@ -78,6 +78,10 @@ bool writeWhole(const std::string &filename, const std::string &text)
   }
   bool isWritten = write(place, text);
   if (isWritten) {
+    const fs::file_status replaced = fs::status(target, error);
+    if (fs::exists(replaced)) { // a file that its owner alone may read stays one
+      fs::permissions(place, replaced.permissions(), error);
+    }
     fs::rename(place, target, error);
     isWritten = !error;
   }

@@ -18,6 +18,8 @@
 #ifndef VP_CIRCLE_MARKER_PIXEL_BOX_H
 #define VP_CIRCLE_MARKER_PIXEL_BOX_H
 
+#include <algorithm>
+
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
 
 BEGIN_VISP_NAMESPACE
@@ -33,6 +35,12 @@ struct PixelBox
   int width() const { return right - left; }
   int height() const { return bottom - top; }
 };
+
+/*! A place as a whole number of pixels from 0 to \e most; 0 for what is no number. */
+inline int pixelWithin(double place, int most)
+{
+  return place > 0. ? static_cast<int>(std::min(place, static_cast<double>(most))) : 0;
+}
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -58,11 +58,9 @@ bool touch(const PixelBox &p, const PixelBox &q)
 PixelBox boxAround(const EllipseParameters &ellipse, double margin, int width, int height)
 {
   const Eigen::Vector2d half = halfExtents(ellipse) + Eigen::Vector2d::Constant(margin);
-  const auto inside = [](double value, int limit) {
-    return static_cast<int>(std::clamp(value, 0., static_cast<double>(limit)));
-  };
-  return {inside(ellipse.center.x() - half.x(), width), inside(ellipse.center.y() - half.y(), height),
-          inside(ellipse.center.x() + half.x() + 1., width), inside(ellipse.center.y() + half.y() + 1., height)};
+  return {pixelWithin(ellipse.center.x() - half.x(), width), pixelWithin(ellipse.center.y() - half.y(), height),
+          pixelWithin(ellipse.center.x() + half.x() + 1., width),
+          pixelWithin(ellipse.center.y() + half.y() + 1., height)};
 }
 
 // The outline in the next image, if it goes on as it did; the speed of its turn is not known.
