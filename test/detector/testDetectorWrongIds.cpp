@@ -12,12 +12,13 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Small markers that were once read as another one: none may be again.
+ * Markers that were once read as another one: none may be again.
  */
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
@@ -65,6 +66,49 @@ TEST(DetectorWrongIds, SmallMarkersInAnyLight)
     const Outcome outcome = outcomeOf(bench::makeScene(options), detector);
     EXPECT_EQ(outcome.wrong, 0u) << seed;
     EXPECT_GE(outcome.right, 12u) << seed;
+  }
+}
+
+// Markers whose sectors, read in another family's, are one of its codewords but for what dirt or a cover may be.
+TEST(DetectorWrongIds, MarkersOfAnotherFamily)
+{
+  struct Print
+  {
+    const char *family;
+    int id;
+    const char *sought;
+  };
+  const std::vector<Print> prints = {{"bch31", 226, "golay23"}, {"bch31", 203, "golay23"}, {"bch31r", 42, "golay23"},
+                                     {"bch31r", 59, "golay23"}, {"bch31r", 47, "golay23"}, {"golay23", 28, "bch31"},
+                                     {"golay23", 115, "bch31"}, {"golay23", 109, "bch31"}};
+  std::mt19937_64 random(20261129);
+  const vpCameraParameters camera(800., 800., 119.5, 119.5);
+  for (const Print &print : prints) {
+    vpDetectorCircleMarker own(vpCircleMarkerFamily::fromName(print.family));
+    vpDetectorCircleMarker other(vpCircleMarkerFamily::fromName(print.sought));
+    unsigned int right = 0;
+    unsigned int wrong = 0;
+    constexpr unsigned int frames = 25;
+    for (unsigned int frame = 0; frame < frames; ++frame) {
+      std::uniform_real_distribution<double> share(0., 1.);
+      const double diameter = 35. * std::pow(4., share(random)); // pixels
+      const double tilt = 1.05 * share(random);
+      const double direction = 2. * M_PI * share(random);
+      vpHomogeneousMatrix cMo(0., 0., 800. * bench::markerSize / diameter, tilt * std::cos(direction),
+                              tilt * std::sin(direction), 0.);
+      vpMarkerSceneSimulator simulator(camera, 240, 240);
+      vpSimulatedMarker marker = vpSimulatedMarker::circle(print.family, print.id, bench::markerSize);
+      simulator.addMarker(marker.setPose(cMo));
+      vpImage<unsigned char> I;
+      simulator.render(I, random());
+      std::vector<vpHomogeneousMatrix> poses;
+      own.detect(I, bench::markerSize, camera, poses);
+      right += own.getTagsId() == std::vector<int>({print.id}) ? 1 : 0;
+      other.detect(I, bench::markerSize, camera, poses);
+      wrong += static_cast<unsigned int>(other.getNbObjects());
+    }
+    EXPECT_EQ(right, frames) << print.family << " " << print.id;
+    EXPECT_EQ(wrong, 0u) << print.family << " " << print.id << " as " << print.sought;
   }
 }
 

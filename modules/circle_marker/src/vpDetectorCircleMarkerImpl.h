@@ -138,7 +138,7 @@ private:
   void detectBlack(const vpImage<unsigned char> &I, double size, const vpCameraParameters &cam, bool isCameraGuessed,
                    const circle_marker::Deadline &deadline);
   void addInverse(Impl &inverse);
-  void dropInsideOf(const Found &ring);
+  void dropPiecesOf(const Found &inverse);
   circle_marker::SoughtCenters soughtCenters() const;
   bool searchRegions(const Visit &visit);
   void searchWhole(const Visit &visit);

@@ -70,24 +70,26 @@ void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, doubl
 }
 
 /*!
-  Takes the black inside of a white ring, which looks like a disc, out of what was found: it is the ring of the family's
-  ratio that is seen, at another distance.
+  Takes what is a piece of a white marker out of what was found. The black inside of a white ring looks like a disc: it
+  is the ring of the family's ratio that is seen, at another distance. And what is black between the ring and the code
+  looks like a ring.
 */
-void vpDetectorCircleMarker::Impl::dropInsideOf(const Found &ring)
+void vpDetectorCircleMarker::Impl::dropPiecesOf(const Found &inverse)
 {
   constexpr double mostOff = 0.05; // outer radii
-  if (ring.marker.family.getType() != vpCircleMarkerFamily::RING) {
-    return;
-  }
-  const EllipseParameters &outer = ring.outline.ellipse;
-  const auto isInside = [&](const Found &other) {
+  const EllipseParameters &outer = inverse.outline.ellipse;
+  const vpCircleMarkerFamily &family = inverse.marker.family;
+  const auto isPiece = [&](const Found &other) {
     const EllipseParameters &outline = other.outline.ellipse;
-    return other.marker.family.getType() == vpCircleMarkerFamily::DISC &&
-           (outline.center - outer.center).norm() < mostOff * outer.a &&
-           std::abs(outline.a - ring.marker.family.getLayout().ringInner * outer.a) < mostOff * outer.a;
+    const double off = (outline.center - outer.center).norm();
+    const bool isInCode = family.isCoded() && !other.marker.family.isCoded() && off < outer.b && outline.a < outer.a;
+    const bool isInRing = family.getType() == vpCircleMarkerFamily::RING &&
+                          other.marker.family.getType() == vpCircleMarkerFamily::DISC && off < mostOff * outer.a &&
+                          std::abs(outline.a - family.getLayout().ringInner * outer.a) < mostOff * outer.a;
+    return isInCode || isInRing;
   };
   for (std::size_t k = found.size(); k-- > 0;) {
-    if (isInside(found[k])) {
+    if (isPiece(found[k])) {
       found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
       detections.erase(detections.begin() + static_cast<std::ptrdiff_t>(k));
     }
@@ -101,7 +103,7 @@ void vpDetectorCircleMarker::Impl::dropInsideOf(const Found &ring)
 void vpDetectorCircleMarker::Impl::addInverse(Impl &inverse)
 {
   for (const Found &marker : inverse.found) {
-    dropInsideOf(marker);
+    dropPiecesOf(marker);
   }
   const std::size_t own = found.size();
   const auto isPiece = [&](const Found &marker) {

@@ -77,6 +77,16 @@ struct SeenParts
     return seen;
   }
 
+  /*! In how many pieces what is not seen of the track lies, around the centre. */
+  unsigned int piecesNotSeen() const
+  {
+    unsigned int pieces = 0;
+    for (unsigned int direction = 0; direction < directions; ++direction) {
+      pieces += !track[direction] && track[(direction + 1) % directions] ? 1 : 0;
+    }
+    return pieces;
+  }
+
   /*! Share of the ring that is seen. */
   double shareOfRing() const { return static_cast<double>(ring.count()) / directions; }
 
