@@ -16,6 +16,7 @@
  */
 
 #include <filesystem>
+#include <fstream>
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,21 @@ TEST(DetectorProgram, InputsThatCannotBeUsedEndWithOne)
     EXPECT_EQ(outcome.err.rfind("tutorial-circle-marker-detector: ", 0), 0U) << outcome.err;
   }
   EXPECT_TRUE(test::filesIn(folder).empty()) << "nothing is left of what could not be written";
+}
+
+TEST(DetectorProgram, ACameraWithoutFocalLengthIsRefusedByName)
+{
+  const fs::path folder = test::emptyFolder();
+  std::string xml = test::contentOf(data + "/camera.xml");
+  const std::size_t begin = xml.find("<px>");
+  ASSERT_NE(begin, std::string::npos);
+  xml.replace(begin, xml.find("</px>", begin) - begin, "<px>0");
+  std::ofstream(folder / "flat.xml") << xml;
+  const test::Outcome outcome = test::run(
+      DETECTOR_PROGRAM,
+      {"--input", referencePicture, "--intrinsic", "flat.xml", "--camera-name", "Camera", "--size", "0.18"}, folder);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("flat.xml\" px and py must be positive"), std::string::npos) << outcome.err;
 }
 
 TEST(DetectorProgram, OfAFolderItIsSaidWhatToGive)

@@ -70,6 +70,19 @@ TEST(DetectorProgram, FirstAndLastAskForEveryNumberBetween)
   EXPECT_EQ(linesOf(gap.out).size(), 2U);
 }
 
+TEST(DetectorProgram, AFolderMayHaveAPercentSignInItsName)
+{
+  const fs::path folder = test::emptyFolder();
+  fs::create_directory(folder / "50%");
+  fs::copy_file(widePicture, folder / "50%" / "img3.png");
+  for (const std::string input : {"50%/img%d.png", "50%%/img%d.png"}) {
+    const test::Outcome outcome = test::run(DETECTOR_PROGRAM, wide(input), folder);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    ASSERT_EQ(linesOf(outcome.out).size(), 1U) << input;
+    EXPECT_EQ(linesOf(outcome.out)[0]["image"], "50%/img3.png");
+  }
+}
+
 TEST(DetectorProgram, ListOfPathsKeepsItsOrder)
 {
   const fs::path folder = test::emptyFolder();

@@ -26,6 +26,7 @@
 #include <string>
 
 #include <visp3/core/vpCameraParameters.h>
+#include <visp3/core/vpException.h>
 #include <visp3/core/vpXmlParserCamera.h>
 
 #include "visp_names.h"
@@ -72,13 +73,21 @@ inline std::optional<NamedCamera> findCamera(const std::string &file, const std:
   const SilentStream silentErrors(std::cerr), silentOutput(std::cout);
   vpXmlParserCamera parser;
   NamedCamera camera;
-  if (parser.parse(camera.parameters, file, name, model, width, height) != vpXmlParserCamera::SEQUENCE_OK) {
-    return std::nullopt;
+  const auto refuse = [&] {
+    throw CameraError("of the camera \"" + name + "\" in \"" + file + "\" px and py must be positive, and all finite");
+  };
+  try {
+    if (parser.parse(camera.parameters, file, name, model, width, height) != vpXmlParserCamera::SEQUENCE_OK) {
+      return std::nullopt;
+    }
+  }
+  catch (const vpException &) { // of a px or py that is 0, or no number
+    refuse();
   }
   const vpCameraParameters &cam = camera.parameters;
   if (!(cam.get_px() > 0. && cam.get_py() > 0. && std::isfinite(cam.get_px() + cam.get_py()) &&
         std::isfinite(cam.get_u0() + cam.get_v0()))) {
-    throw CameraError("of the camera \"" + name + "\" in \"" + file + "\" px and py must be positive, and all finite");
+    refuse();
   }
   if (model == vpCameraParameters::perspectiveProjWithDistortion && cam.get_kud() == 0. && cam.get_kdu() == 0.) {
     // The same camera, and faster to compute with.

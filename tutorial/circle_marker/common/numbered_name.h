@@ -29,28 +29,34 @@ class NumberedName
 {
 public:
   /*!
+    A % that begins no such number stands for itself, as does %%.
     \return The pattern, or nothing if the text does not contain exactly one of %d, %4d, %04d.
   */
   static std::optional<NumberedName> parse(const std::string &text)
   {
-    const std::size_t start = text.find('%');
-    if (start == std::string::npos || text.find('%', start + 1) != std::string::npos) {
-      return std::nullopt;
-    }
-    std::size_t end = start + 1;
-    while (end < text.size() && text[end] >= '0' && text[end] <= '9') {
-      ++end;
-    }
-    // No file name has a number of 100 digits or more.
-    if (end >= text.size() || text[end] != 'd' || end - start > 4) {
-      return std::nullopt;
-    }
     NumberedName name;
-    name.m_prefix = text.substr(0, start);
-    name.m_suffix = text.substr(end + 1);
-    name.m_filler = text[start + 1] == '0' ? '0' : ' ';
-    name.m_width = end > start + 1 ? std::stoul(text.substr(start + 1, end - start - 1)) : 0;
-    return name;
+    bool hasNumber = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      std::size_t end = i + 1;
+      while (text[i] == '%' && end < text.size() && text[end] >= '0' && text[end] <= '9') {
+        ++end;
+      }
+      const bool isNumber = text[i] == '%' && end < text.size() && text[end] == 'd';
+      // No file name has a number of 100 digits or more.
+      if (isNumber && (hasNumber || end - i > 4)) {
+        return std::nullopt;
+      }
+      if (isNumber) {
+        hasNumber = true;
+        name.m_filler = text[i + 1] == '0' ? '0' : ' ';
+        name.m_width = end > i + 1 ? std::stoul(text.substr(i + 1, end - i - 1)) : 0;
+        i = end;
+        continue;
+      }
+      (hasNumber ? name.m_suffix : name.m_prefix) += text[i];
+      i += text[i] == '%' && end < text.size() && text[end] == '%' ? 1 : 0;
+    }
+    return hasNumber ? std::optional<NumberedName>(name) : std::nullopt;
   }
 
   /*!

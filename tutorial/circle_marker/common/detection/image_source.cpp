@@ -84,7 +84,7 @@ std::vector<Entry> numberedFiles(const std::string &input, const NumberedName &p
     }
     return entries;
   }
-  const fs::path folder = fs::path(input).parent_path();
+  const fs::path folder = fs::path(pattern(0)).parent_path();
   std::error_code error;
   for (const fs::directory_entry &file : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
     const std::string path = (folder / file.path().filename()).string();
