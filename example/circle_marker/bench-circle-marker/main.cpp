@@ -18,7 +18,7 @@
 /*!
   \example bench-circle-marker/main.cpp
   Benchmarks of the whole detection and of its rooms, with AprilTag and OpenCV's adaptive threshold in the same run;
-  tables of the ratios, of the reach, of hardships, of phantoms, of photographs and of timeouts.
+  tables of the ratios, of the reach, of hardships, of phantoms, of other families, of photographs and of timeouts.
 */
 
 #include <iostream>
@@ -53,6 +53,10 @@ int main(int argc, char *argv[])
       ->check(CLI::Range(1, 1000000));
   app.add_option("--phantoms", phantoms, "Table of the markers found in N images that have none")
       ->check(CLI::Range(1, 1000000));
+  unsigned int others = 0;
+  app.add_option("--other-families", others,
+                 "Table of the markers that are found as those of another family, on N frames of 20")
+      ->check(CLI::Range(1, 1000000));
   unsigned int timeouts = 0;
   app.add_option("--timeouts", timeouts, "Table of how long after its timeout the detector comes back, N rounds")
       ->check(CLI::Range(1, 1000));
@@ -66,7 +70,7 @@ int main(int argc, char *argv[])
   bool isUnrefined = false;
   app.add_flag("--unrefined", isUnrefined, "With --hardships poses as the closed form gives them, and codes unproven");
   std::uint64_t seed = 1;
-  app.add_option("--seed", seed, "Seed of the frames for --reach, --hardships and --phantoms")
+  app.add_option("--seed", seed, "Seed of the frames for --reach, --hardships, --phantoms and --other-families")
       ->check(common::wholeNumber())
       ->capture_default_str();
   std::string only;
@@ -95,7 +99,7 @@ int main(int argc, char *argv[])
     std::cerr << name << ": " << e.what() << "; see --help" << std::endl;
     return 2;
   }
-  const bool isTable = ratios + timeouts + reach + hardships + phantoms > 0 || !photographs.empty();
+  const bool isTable = ratios + timeouts + reach + hardships + phantoms + others > 0 || !photographs.empty();
   if (isTable && app.remaining_size() > 0) {
     std::cerr << name << ": unknown argument \"" << app.remaining().front() << "\"; see --help" << std::endl;
     return 2;
@@ -117,6 +121,9 @@ int main(int argc, char *argv[])
     }
     if (phantoms > 0) {
       bench::tellPhantoms(std::cout, phantoms, seed, only, overlays);
+    }
+    if (others > 0) {
+      bench::tellOtherFamilies(std::cout, others, seed);
     }
     if (!photographs.empty()) {
       bench::tellPhotographs(std::cout, photographs, overlays);

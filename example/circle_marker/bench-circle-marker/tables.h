@@ -90,6 +90,15 @@ void tellPhantoms(std::ostream &out, unsigned int images, std::uint64_t seed, co
                   const std::string &overlays);
 
 /*!
+  Markers of one family of codes that are found where another's are sought: frames of 20 of 30 to 160 pixels, tilts to
+  60 degrees, half of them in any light. Each that is found, and a table with the upper bound of the rate at 95 %.
+  \param out : Where they go, Markdown.
+  \param frames : How many of each two families.
+  \param seed : Of the frames.
+*/
+void tellOtherFamilies(std::ostream &out, unsigned int frames, std::uint64_t seed);
+
+/*!
   Markers found in the pictures of a folder and the folders in it, which are taken to have none: each, and a table.
   \param out : Where they go.
   \param folder : Such as that of ViSP's data set.
