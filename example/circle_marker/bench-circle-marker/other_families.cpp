@@ -63,8 +63,8 @@ void tellOtherFamilies(std::ostream &out, unsigned int frames, std::uint64_t see
       }
     }
     out << "| " << pair.printed << " | " << pair.sought << " | " << markers << " | " << found << " | "
-        << std::scientific << std::setprecision(1) << upperBound(found, markers) << std::defaultfloat << " |"
-        << std::endl;
+        << std::scientific << std::setprecision(1) << upperBound(found, markers) << std::defaultfloat
+        << std::setprecision(6) << " |" << std::endl;
   }
 }
 } // namespace bench
