@@ -233,9 +233,9 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
 bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
                           const Measurement &measurement, WholeVerdict verdict, MeasureMemory &memory)
 {
-  // One with corrected sectors whose other pixels are not explained, and that is none as a covered one, is another
-  // print: of golay23, bch31 and bch31r that were read as another family. (Of 38 right ones with corrections, by
-  // private counts, none comes here.)
+  // One with corrected sectors whose other pixels are not explained, and which cannot be read as a covered one, is
+  // another print: so were markers of another family. (Of 38 right ones with corrections none came here, by private
+  // counts.)
   if (marker.code.hamming > 0) {
     return false;
   }

@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <optional>
@@ -76,16 +77,20 @@ ServoRecord runSimulated(const ServoProblem &problem, bool isRealTime, const Obs
   return runServo(eyes, robot, goal, observer);
 }
 
-ServoRecord runWithoutDisplay(const ServoProblem &problem)
+/*! Takes what a servo has recorded. */
+using Keep = std::function<void(const ServoRecord &record)>;
+
+void runWithoutDisplay(const ServoProblem &problem, const Keep &keep)
 {
   ServoProgress progress(problem.goal);
-  return runSimulated(problem, false, [&progress](const vpImage<unsigned char> &, const ServoStep &step) {
+  keep(runSimulated(problem, false, [&progress](const vpImage<unsigned char> &, const ServoStep &step) {
     progress.show(step);
     return ServoWish::Go;
-  });
+  }));
 }
 
-ServoRecord runWithDisplay(const ServoProblem &problem)
+/*! The record is kept before the window waits for the last click. */
+void runWithDisplay(const ServoProblem &problem, const Keep &keep)
 {
   std::optional<LiveView> view;
   try {
@@ -94,15 +99,16 @@ ServoRecord runWithDisplay(const ServoProblem &problem)
   catch (const vpException &e) {
     program.complain(std::string("no window can be opened (") + e.what() +
                      "); going on without, --display-off does so silently");
-    return runWithoutDisplay(problem);
+    runWithoutDisplay(problem, keep);
+    return;
   }
   const ServoRecord record = runSimulated(
       problem, true, [&view](const vpImage<unsigned char> &I, const ServoStep &step) { return view->show(I, step); });
+  keep(record);
   const bool quitByClick = !record.converged && record.reason.find("click") != std::string::npos;
   if (!quitByClick) {
     view->showEnd(record);
   }
-  return record;
 }
 
 /*! A run's line of the table on the standard output and in runs.csv. */
@@ -136,34 +142,64 @@ double badness(const ServoProblem &problem, const ServoRecord &record)
       {error.distance() / acceptedDistance, error.object / acceptedDistance, error.angle() / acceptedAngle});
 }
 
+/*! What is reported of all runs. */
+class Report
+{
+public:
+  explicit Report(const Order &order) : m_order(order) {}
+
+  /*! Adds a run; with the last one it is written. */
+  void add(const ServoProblem &problem, const ServoRecord &record)
+  {
+    printRun(problem, record);
+    m_table += runLine(problem, record);
+    ++m_runs;
+    m_converged += record.converged ? 1 : 0;
+    m_worstDistance = std::max(m_worstDistance, record.steps.back().trueError->distance());
+    m_worstAngle = std::max(m_worstAngle, record.steps.back().trueError->angle());
+    if (!m_worst || badness(problem, record) > badness(m_worst->first, m_worst->second)) {
+      m_worst.emplace(problem, record);
+    }
+    if (m_runs == m_order.runs) {
+      write();
+    }
+  }
+
+  bool haveAllConverged() const { return m_converged == m_order.runs; }
+
+private:
+  void write() const
+  {
+    if (m_order.runs > 1) {
+      std::cout << m_converged << " of " << m_order.runs << " converged; worst at the end " << std::setprecision(3)
+                << 1e3 * m_worstDistance << " mm and " << std::setprecision(4) << m_worstAngle * 180. / M_PI << " deg"
+                << std::endl;
+      writeWholeText((std::filesystem::path(m_order.folder) / "runs.csv").string(), m_table);
+    }
+    writeReport(m_order.folder, m_worst->first.goal, m_worst->second);
+  }
+
+  const Order &m_order; //!< What was asked for.
+  std::string m_table = "seed,start_distance_m,images,distance_mm,angle_deg,object_mm,converged\n"; //!< Of runs.csv.
+  std::optional<std::pair<ServoProblem, ServoRecord>> m_worst;                                      //!< The worst run.
+  unsigned int m_runs = 0;                                                                          //!< So far.
+  unsigned int m_converged = 0;                                                                     //!< Of them.
+  double m_worstDistance = 0.;                                                                      //!< Metres.
+  double m_worstAngle = 0.;                                                                         //!< Radians.
+};
+
 /*! \return Whether all servos converged. */
 bool carryOut(const Order &order)
 {
+  makeProblem(order, 0); // what is wrong with the camera is told before a folder is made
   prepareReport(order.folder);
-  std::string table = "seed,start_distance_m,images,distance_mm,angle_deg,object_mm,converged\n";
-  std::optional<std::pair<ServoProblem, ServoRecord>> worst;
-  unsigned int converged = 0;
-  double worstDistance = 0., worstAngle = 0.;
+  Report report(order);
   for (unsigned int run = 0; run < order.runs; ++run) {
     const ServoProblem problem = makeProblem(order, run);
-    const ServoRecord record = order.display ? runWithDisplay(problem) : runWithoutDisplay(problem);
-    printRun(problem, record);
-    table += runLine(problem, record);
-    converged += record.converged ? 1 : 0;
-    worstDistance = std::max(worstDistance, record.steps.back().trueError->distance());
-    worstAngle = std::max(worstAngle, record.steps.back().trueError->angle());
-    if (!worst || badness(problem, record) > badness(worst->first, worst->second)) {
-      worst.emplace(problem, record);
-    }
+    const Keep keep = [&](const ServoRecord &record) { report.add(problem, record); };
+    order.display ? runWithDisplay(problem, keep) : runWithoutDisplay(problem, keep);
   }
-  if (order.runs > 1) {
-    std::cout << converged << " of " << order.runs << " converged; worst at the end " << std::setprecision(3)
-              << 1e3 * worstDistance << " mm and " << std::setprecision(4) << worstAngle * 180. / M_PI << " deg"
-              << std::endl;
-    writeWholeText((std::filesystem::path(order.folder) / "runs.csv").string(), table);
-  }
-  writeReport(order.folder, worst->first.goal, worst->second);
-  return converged == order.runs;
+  return report.haveAllConverged();
 }
 } // namespace
 
