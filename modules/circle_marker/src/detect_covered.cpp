@@ -111,11 +111,19 @@ OtherColours otherColoursOf(const vpImage<unsigned char> &I, const CameraModel &
   return evidence.otherColours(marker.family.getCodeword(marker.code.id));
 }
 
+// Whether a code corrects so many sectors that it tells by itself: of 1958 golay23 one was read as bch31r (private),
+// and of 60 bch31r behind a blob over half of the disc one more was lost to what tells the others.
+bool isStrong(const vpCircleMarkerFamily &family)
+{
+  return codeOf(family).getCapacity() > usualCapacity;
+}
+
 // Whether what is taken for covered is sectors of another print.
 bool isOtherPrint(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
                   const Measurement &measurement, MeasureMemory &memory)
 {
-  if (!marker.seen || marker.seen->shareOfRing() < nearlyWholeRing || marker.seen->piecesNotSeen() < scatteredPieces) {
+  if (isStrong(marker.family) || !marker.seen || marker.seen->shareOfRing() < nearlyWholeRing ||
+      marker.seen->piecesNotSeen() < scatteredPieces) {
     return false;
   }
   TrackPixels pixels(I, camera, ringOf(measurement, marker.poses[0], camera), marker.family, memory.track);
@@ -234,9 +242,9 @@ bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &ca
                           const Measurement &measurement, WholeVerdict verdict, MeasureMemory &memory)
 {
   // One with corrected sectors whose other pixels are not explained, and which cannot be read as a covered one, is
-  // another print: so were markers of another family. (Of 38 right ones with corrections none came here, by private
-  // counts.)
-  if (marker.code.hamming > 0) {
+  // another print: so were markers of another family. (Of 38 right golay23 and bch31 with corrections none came here,
+  // by private counts.)
+  if (marker.code.hamming > 0 && !isStrong(marker.family)) {
     return false;
   }
   // That no sector had to be corrected proves nothing of a covered one: a bar like paper over black sectors may leave

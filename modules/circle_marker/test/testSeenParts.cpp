@@ -96,6 +96,22 @@ TEST(SeenParts, BordersAreSeenWhereTheDirectionsBesideThemAre)
 
 // Where bars cross a track they may leave white sectors alone, which tell no spin: a fit to those turned by 16 degrees
 // and more.
+// By hand, around the end of the directions, too.
+TEST(SeenParts, PiecesThatAreNotSeenAreCountedAround)
+{
+  SeenParts seen;
+  seen.directions = 10;
+  EXPECT_EQ(seen.piecesNotSeen(), 0u) << "all of it is one without an end";
+  for (unsigned int direction = 0; direction < seen.directions; ++direction) {
+    seen.track[direction] = true;
+  }
+  EXPECT_EQ(seen.piecesNotSeen(), 0u);
+  seen.track[9] = seen.track[0] = false;
+  EXPECT_EQ(seen.piecesNotSeen(), 1u);
+  seen.track[3] = seen.track[4] = seen.track[6] = false;
+  EXPECT_EQ(seen.piecesNotSeen(), 3u);
+}
+
 TEST(SeenParts, TheTrackIsNotDroppedUnlessEnoughOfItsBordersAreSeen)
 {
   Random random = randomOfTest();

@@ -77,7 +77,7 @@ struct SeenParts
     return seen;
   }
 
-  /*! In how many pieces what is not seen of the track lies, around the centre. */
+  /*! In how many pieces what is not seen of the track lies, around the centre; 0 if all or nothing is. */
   unsigned int piecesNotSeen() const
   {
     unsigned int pieces = 0;
