@@ -241,9 +241,8 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
 bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
                           const Measurement &measurement, WholeVerdict verdict, MeasureMemory &memory)
 {
-  // One with corrected sectors whose other pixels are not explained, and which cannot be read as a covered one, is
-  // another print: so were markers of another family. (Of 38 right golay23 and bch31 with corrections none came here,
-  // by private counts.)
+  // One with corrected sectors whose other pixels are not explained, and which cannot be read as a covered one, may be
+  // another print: so were markers of another family. A few right ones that are over-exposed are lost for it.
   if (marker.code.hamming > 0 && !isStrong(marker.family)) {
     return false;
   }

@@ -94,8 +94,6 @@ TEST(SeenParts, BordersAreSeenWhereTheDirectionsBesideThemAre)
   }
 }
 
-// Where bars cross a track they may leave white sectors alone, which tell no spin: a fit to those turned by 16 degrees
-// and more.
 // By hand, around the end of the directions, too.
 TEST(SeenParts, PiecesThatAreNotSeenAreCountedAround)
 {
@@ -112,6 +110,8 @@ TEST(SeenParts, PiecesThatAreNotSeenAreCountedAround)
   EXPECT_EQ(seen.piecesNotSeen(), 3u);
 }
 
+// Where bars cross a track they may leave white sectors alone, which tell no spin: a fit to those turned by 16 degrees
+// and more.
 TEST(SeenParts, TheTrackIsNotDroppedUnlessEnoughOfItsBordersAreSeen)
 {
   Random random = randomOfTest();
