@@ -241,9 +241,10 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
 bool isRightThoughCovered(const vpImage<unsigned char> &I, const CameraModel &camera, const Recognition &marker,
                           const Measurement &measurement, WholeVerdict verdict, MeasureMemory &memory)
 {
-  // One with corrected sectors whose other pixels are not explained, and which cannot be read as a covered one, may be
-  // another print: so were markers of another family. A few right ones that are over-exposed are lost for it.
-  if (marker.code.hamming > 0 && !isStrong(marker.family)) {
+  // One with corrected sectors whose other pixels are not explained, which cannot be read as a covered one and of which
+  // nothing covers a part, is another print: so were markers of another family.
+  if (marker.code.hamming > 0 && !isStrong(marker.family) &&
+      !withoutWhatCovers(I, camera, marker, measurement, memory)) {
     return false;
   }
   // That no sector had to be corrected proves nothing of a covered one: a bar like paper over black sectors may leave
