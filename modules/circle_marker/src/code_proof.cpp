@@ -39,6 +39,8 @@ constexpr double leastOddsIfUncertain = 25.;
 // found with these limits four, with odds of e^42 to e^64.
 constexpr double leastOddsInNoise = 33.;
 constexpr double muchNoise = 0.015;
+// And up to these odds, ln, no more is left of them than chance allows (mostDeviations).
+constexpr double clearOddsInNoise = 100.;
 constexpr unsigned int fewChecks = 14;
 // Residuals of the best codeword, in units of what noise and model leave. Beyond the other odds, ln, they may be more:
 // of a track that is less than a pixel wide the model misses some hundredths of its contrast. And if the same code was
@@ -118,13 +120,21 @@ bool leavesLittle(const FittedPose &fit, double noise, double share)
          fit.noise < mostNoise * std::max(noise, quantisation) + share * fit.photometry.tellableContrast();
 }
 
+// Whether odds are all that speaks for a code: it is one of many among all words, and the image is noisy.
+bool isDenseInNoise(const CodeToProve &what)
+{
+  const CyclicCode &code = codeOf(what.family);
+  return code.getLength() - code.getDimension() < fewChecks &&
+         what.noise > muchNoise * what.fit.photometry.tellableContrast();
+}
+
 // Whether a fit on so many pixels leaves no more than one at the right pose, where a code has such odds.
 bool isAtRightPose(const CodeToProve &what, double odds)
 {
   const FittedPose &fit = what.fit;
   const double noise = std::max(what.noise, quantisation);
   const auto leavesUpTo = [&](const MostLeft &most) {
-    const bool isDoubted = !what.isCertain && odds < clearOdds;
+    const bool isDoubted = !what.isCertain && odds < (isDenseInNoise(what) ? clearOddsInNoise : clearOdds);
     const double byChance = 1. + mostDeviations / std::sqrt(2. * static_cast<double>(what.pixels) / fit.sharing);
     const double lacking = most.lacking * fit.photometry.tellableContrast();
     return isDoubted ? fit.noise < std::hypot(std::min(most.noise, byChance) * noise, lacking)
@@ -138,10 +148,7 @@ bool isAtRightPose(const CodeToProve &what, double odds)
 // Odds that a code needs against the next one, ln.
 double leastOddsOf(const CodeToProve &what)
 {
-  const CyclicCode &code = codeOf(what.family);
-  const bool isDense = code.getLength() - code.getDimension() < fewChecks;
-  const bool isNoisy = what.noise > muchNoise * what.fit.photometry.tellableContrast();
-  return what.isCertain ? leastOdds : isDense && isNoisy ? leastOddsInNoise : leastOddsIfUncertain;
+  return what.isCertain ? leastOdds : isDenseInNoise(what) ? leastOddsInNoise : leastOddsIfUncertain;
 }
 } // namespace
 

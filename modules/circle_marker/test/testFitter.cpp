@@ -105,13 +105,14 @@ TEST_P(FitterWith, OtherInstructionsFitsTheSame)
           continue;
         }
         // Blocks of pixels are corrected where one of them sees a strong bend: of sixteen more are than of eight, by
-        // what makes a tenth of a standard deviation. All else is rounding.
+        // what makes a tenth of a standard deviation. All else is rounding; where the paper's end is seen, which moves
+        // against the ring's edge, steps are small differences: those of a disc of 20 pixels by 0.02 of their doubt.
         const bool hasOtherBlocks = exactBends && GetParam() == Instructions::WIDEST;
-        const double rounding = hasOtherBlocks ? 0.01 : 1e-4;
+        const double rounding = hasOtherBlocks ? 0.01 : 2e-4;
         EXPECT_NEAR(other.fit.noise, one.fit.noise, rounding * one.fit.noise);
         // A hundredth of a standard deviation, as below, where the cost still falls by about one a standard deviation.
         EXPECT_NEAR(other.squares, one.squares, rounding * one.squares + 0.02 * one.fit.noise * one.fit.noise);
-        EXPECT_LT(distanceOf(one.fit, other.fit, family.isCoded()), hasOtherBlocks ? 0.2 : 0.01)
+        EXPECT_LT(distanceOf(one.fit, other.fit, family.isCoded()), hasOtherBlocks ? 0.2 : 0.03)
             << family.getName() << " " << i;
       }
     }

@@ -190,10 +190,10 @@ TEST(PixelBlocks, DoubtGrowsWithTheDifferenceOfTheSurround)
   EXPECT_EQ(varianceOf(0.5, 200., 2.), 0.); // white paper goes on; the spread is that of the noise
   EXPECT_GT(varianceOf(0.5, 100., 2.), 100.);
   EXPECT_NEAR(varianceOf(0.5, 50., 2.) / varianceOf(0.5, 125., 2.), 4., 1e-3);
-  // 0.3 of the share is uncertain, and the paper's end by 0.2 pixels, where the share changes by the density over
+  // 0.3 of the share is uncertain, and the paper's end by 0.1 pixels, where the share changes by the density over
   // sigma.
   const auto expected = [&](double share, double density) {
-    return std::pow(150. * 0.3 * share, 2.) + std::pow(150. * 0.2 * density / photometry.blur.sigma, 2.);
+    return std::pow(150. * 0.3 * share, 2.) + std::pow(150. * 0.1 * density / photometry.blur.sigma, 2.);
   };
   EXPECT_NEAR(varianceOf(0.5, 50., 2.) / expected(0.5, 0.3989), 1., 1e-3);
   EXPECT_NEAR(varianceOf(0.4, 50., 2.) / expected(0.4, 0.3863), 1., 1e-3);

@@ -116,3 +116,56 @@ TEST(Surround, SquareSheetsAngleIsFound)
     EXPECT_LT(std::fabs(difference), 0.02) << "diameter " << diameter; // one degree
   }
 }
+
+// Of a sheet that is seen aslant the looks go off at a right angle to its end in the image: toward its corners, too,
+// they see ground alone. Straight away from the centre they saw up to a tenth of the contrast of paper.
+TEST(Surround, AroundAnObliqueSheetIsGroundAlone)
+{
+  Random random = randomOfTest();
+  for (int i = 0; i < 20; ++i) {
+    const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 3,
+                                          uniform(random, 18., 40.), uniform(random, 1., 1.25), side);
+    const double blur = uniform(random, 0.7, 1.2);
+    const vpImage<unsigned char> I = photograph(side, side, blur, scene);
+    const CameraModel camera(scene.camera());
+    Surround surround(I, camera, scene.plane(), {PaperShape::SQUARE, 1. + 1. / 6., 0.}, std::hypot(blur, 0.29));
+    for (unsigned int k = 0; k < Surround::directions; ++k) {
+      if (std::isfinite(surround.toward(k).spread)) {
+        EXPECT_NEAR(surround.toward(k).grey, scene.surround, 0.01 * std::abs(scene.white - scene.surround) + 1.5) << k;
+      }
+    }
+  }
+}
+
+// The share of a Gaussian beyond the corner of a sheet seen aslant, summed up point by point.
+TEST(Surround, ShareBeyondACornerIsThatOfAllPoints)
+{
+  Random random = randomOfTest();
+  PaperEnd paper;
+  paper.shape = PaperShape::SQUARE;
+  paper.extent = 1. + 1. / 6.;
+  for (int i = 0; i < 60; ++i) {
+    paper.angle = uniform(random, 0., 0.5 * M_PI);
+    const double turned = uniform(random, 0., 2. * M_PI);
+    Eigen::Matrix2d turn;
+    turn << std::cos(turned), -std::sin(turned), std::sin(turned), std::cos(turned);
+    PlanePoint point;
+    const double across = uniform(random, 0.35, 1.); // the cosine of the tilt
+    point.byPixel = turn * Eigen::Vector2d(0.1, 0.1 / across).asDiagonal() * turn.transpose();
+    const double quadrant = std::round(uniform(random, -0.5, 3.5)) * 0.5 * M_PI;
+    const double angle = paper.angle + 0.25 * M_PI + quadrant + uniform(random, -0.3, 0.3);
+    point.q = uniform(random, 1.4, 1.9) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    constexpr double blur = 1.1, step = 0.05, most = 5.;
+    double beyond = 0., all = 0.;
+    for (double u = -most; u <= most; u += step) {
+      for (double v = -most; v <= most; v += step) {
+        const double weight = std::exp(-0.5 * (u * u + v * v));
+        const Eigen::Vector2d q = paper.alongAxes(point.q + blur * point.byPixel * Eigen::Vector2d(u, v));
+        all += weight;
+        beyond += q.cwiseAbs().maxCoeff() > paper.extent ? weight : 0.;
+      }
+    }
+    // With the sides taken for independent up to 0.1 is missed.
+    EXPECT_NEAR(shareBeyond(point, paper, blur).share, beyond / all, 0.005);
+  }
+}

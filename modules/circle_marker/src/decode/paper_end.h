@@ -42,11 +42,15 @@ struct PaperEnd
   double extent = 1.; //!< Radius of the circle or half of the square's width, in units of the outer radius.
   double angle = 0.;  //!< Of the square's axes, rad.
 
-  //! Coordinates along the square's axes.
-  Eigen::Vector2d alongAxes(const Eigen::Vector2d &q) const
+  //! One of the square's two axes.
+  Eigen::Vector2d axis(Eigen::Index index) const
   {
-    return {std::cos(angle) * q.x() + std::sin(angle) * q.y(), std::cos(angle) * q.y() - std::sin(angle) * q.x()};
+    return index == 0 ? Eigen::Vector2d(std::cos(angle), std::sin(angle))
+                      : Eigen::Vector2d(-std::sin(angle), std::cos(angle));
   }
+
+  //! Coordinates along the square's axes.
+  Eigen::Vector2d alongAxes(const Eigen::Vector2d &q) const { return {axis(0).dot(q), axis(1).dot(q)}; }
 };
 
 /*! The ends that are taken into account, by their shape. */

@@ -39,29 +39,45 @@ constexpr float leastCorner = 1e-5f;
 constexpr float leastBend = 2e-3f;
 // Squared sine of the angle between two edges: corners are not sharper.
 constexpr float leastSquaredSine = 0.05f;
-// Probability of both sides of two edges less the product of the probabilities, and its derivatives.
-struct CornerLanes
+// Probability of both sides of two edges less the product of the probabilities, and its derivatives. Number: Lanes, or
+// double for a pixel of its own.
+template <class Number> struct Corner
 {
-  Lanes value;
-  Lanes byA;
-  Lanes byB;
-  Lanes byRho;
+  Number value;
+  Number byA;
+  Number byB;
+  Number byRho;
 };
+using CornerLanes = Corner<Lanes>;
+
+inline void setConstant(float value, Lanes &number)
+{
+  number = Lanes::Constant(value);
+}
+inline void setConstant(float value, double &number)
+{
+  number = static_cast<double>(value);
+}
 
 // By the tetrachoric series, whose n-th term is rho^(n+1) / (n+1)! He_n(a) He_n(b) with the Hermite polynomials He_n,
 // all times both densities; the derivative of a density times He_n is that of - He_(n+1), and by rho it is Mehler's
 // series of the two variables' common density.
-inline CornerLanes cornerOf(const Lanes &a, const Lanes &b, const Lanes &density, const Lanes &rho, int terms)
+template <class Number>
+inline Corner<Number> cornerOf(const Number &a, const Number &b, const Number &density, const Number &rho, int terms)
 {
-  Lanes power = rho;
-  Lanes byPower = Lanes::Ones(); // rho^n / n!
-  Lanes hermiteA = Lanes::Ones(), previousA = Lanes::Zero();
-  Lanes hermiteB = Lanes::Ones(), previousB = Lanes::Zero();
-  CornerLanes corner = {Lanes::Zero(), Lanes::Zero(), Lanes::Zero(), Lanes::Zero()};
+  Number power = rho;
+  Number byPower, hermiteA, hermiteB, previousA, previousB; // byPower: rho^n / n!
+  Corner<Number> corner;
+  for (Number *one : {&byPower, &hermiteA, &hermiteB}) {
+    setConstant(1.f, *one);
+  }
+  for (Number *zero : {&previousA, &previousB, &corner.value, &corner.byA, &corner.byB, &corner.byRho}) {
+    setConstant(0.f, *zero);
+  }
   for (int n = 0; n < terms; ++n) {
     const auto order = static_cast<float>(n);
-    const Lanes nextA = a * hermiteA - order * previousA;
-    const Lanes nextB = b * hermiteB - order * previousB;
+    const Number nextA = a * hermiteA - order * previousA;
+    const Number nextB = b * hermiteB - order * previousB;
     corner.value += power * hermiteA * hermiteB;
     corner.byA -= power * nextA * hermiteB;
     corner.byB -= power * hermiteA * nextB;

@@ -72,24 +72,33 @@ public:
   void addAngle(const PlaneLanes &p, const CurvatureLanes &curvature, const SlopeLanes &slope, const Lanes &acrossX,
                 const Lanes &acrossY, const Lanes &weight, DarknessLanes &darkness) const;
 
-private:
-  // What the motion of the print under a ray at the foot of an edge changes.
-  void addMotion(const SlopeLanes &slope, const Lanes &byX, const Lanes &byY, DarknessLanes &darkness) const
+  /*!
+    What the motion of the print under a ray at a point of the plane changes.
+    \param x, y : The point.
+    \param byX, byY : Derivative by its place.
+    \param darkness : The sum.
+  */
+  void addMotion(const Lanes &x, const Lanes &y, const Lanes &byX, const Lanes &byY, DarknessLanes &darkness) const
   {
-    const Lanes byAngle = (byX * (slope.footX - m_cx) + byY * (slope.footY - m_cy)) * m_perDepth;
+    const Lanes byAngle = (byX * (x - m_cx) + byY * (y - m_cy)) * m_perDepth;
     darkness.byTwist[0] -= byX;
     darkness.byTwist[1] -= byY;
     darkness.byTwist[2] += byAngle;
-    darkness.byTwist[3] += byAngle * slope.footY;
-    darkness.byTwist[4] -= byAngle * slope.footX;
-    darkness.byTwist[5] += byX * slope.footY - byY * slope.footX;
+    darkness.byTwist[3] += byAngle * y;
+    darkness.byTwist[4] -= byAngle * x;
+    darkness.byTwist[5] += byX * y - byY * x;
     if (m_seesBend) { // the print moves by the sheet's height there
-      const Lanes &x = slope.footX;
-      const Lanes &y = slope.footY;
       darkness.byBend[0] += 0.5f * byAngle * (x * x + y * y - 1.f);
       darkness.byBend[1] += 0.5f * byAngle * (x * x - y * y);
       darkness.byBend[2] += byAngle * x * y;
     }
+  }
+
+private:
+  // The same at the foot of an edge.
+  void addMotion(const SlopeLanes &slope, const Lanes &byX, const Lanes &byY, DarknessLanes &darkness) const
+  {
+    addMotion(slope.footX, slope.footY, byX, byY, darkness);
   }
 
   // What that motion changes by its gradient: m^T (grad q') x, with m the derivative (byX, byY) and x the vector (x, y)

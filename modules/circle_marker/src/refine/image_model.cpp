@@ -30,27 +30,6 @@ namespace {
 // Inner radius of a ring without one, in units of the outer: so far away that no pixel sees it.
 constexpr float noEdge = -100.f;
 
-// Starts a sum over edges with a share of black.
-void start(Lanes &value)
-{
-  value.setZero();
-}
-
-void start(DarknessLanes &darkness)
-{
-  darkness.value.setZero();
-  for (Lanes &lanes : darkness.byTwist) {
-    lanes.setZero();
-  }
-  darkness.bySigma.setZero();
-  darkness.byElongation[0].setZero();
-  darkness.byElongation[1].setZero();
-  darkness.bySpread.setZero();
-  for (Lanes &lanes : darkness.byBend) {
-    lanes.setZero();
-  }
-}
-
 Lanes &valueOf(Lanes &value)
 {
   return value;
@@ -117,7 +96,8 @@ void ImageModel::seeBorder(const PlaneLanes &p, const CurvatureLanes &curvature,
     const Lanes rho = (gu * p.gradientU + gv * p.gradientV) * perGradient * change / p.gradient;
     const auto meet = [&](const EdgeLanes &rim, float side, Lanes &byRim) {
       const Lanes correlation = side * rho;
-      CornerLanes corner = cornerOf(a, rim.standardised, density * rim.normal.density, correlation, m_cornerTerms);
+      CornerLanes corner =
+          cornerOf(a, rim.standardised, Lanes(density * rim.normal.density), correlation, m_cornerTerms);
       if (rim.bend.abs().maxCoeff() > leastBend) {
         addBend(a, rim.standardised, rim.bend, isEdge, rim.normal.density, correlation, corner);
       }
@@ -158,7 +138,7 @@ void ImageModel::evaluateAs(const PixelBlock &block, Result &result) const
   CurvatureLanes curvature;
   m_homography.apply(block.place, p);
   curvatureOf(p, curvature);
-  start(result);
+  result.setZero();
   const Lanes growth = m_spread * curvature.perGradient; // pixels
   const auto count = [&](const EdgeLanes &edge, const Lanes &weight) {
     if constexpr (hasSlopes) {

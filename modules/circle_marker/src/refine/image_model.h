@@ -82,6 +82,19 @@ struct TrackLanes
 /*! Share of black that each pixel of a block sees, and its derivatives. */
 struct DarknessLanes
 {
+  void setZero()
+  {
+    for (Lanes *lanes : {&value, &bySigma, &byElongation[0], &byElongation[1], &bySpread}) {
+      lanes->setZero();
+    }
+    for (Lanes &lanes : byTwist) {
+      lanes.setZero();
+    }
+    for (Lanes &lanes : byBend) {
+      lanes.setZero();
+    }
+  }
+
   Lanes value;
   Lanes byTwist[6];      //!< By the twist in the marker's frame: three translations in radii, three turns in rad.
   Lanes bySigma;         //!< 1 / pixel.

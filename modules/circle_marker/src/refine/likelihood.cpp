@@ -24,10 +24,11 @@
 #include <Eigen/Cholesky>
 
 #include "refine/grey_model.h"
-#include "refine/line_model.h"
 #include "refine/light_equations.h"
+#include "refine/line_model.h"
 #include "refine/shaded_edges.h"
 #include "refine/sums.h"
+#include "refine/surround_model.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -182,6 +183,7 @@ Equations Likelihood::pull(const MarkerPlane &plane, const Photometry &photometr
 Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts)
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks, m_settings.bend);
+  SurroundModel beyond(plane, m_pattern.paper, photometry, m_memory.blocks, m_settings.bend);
   Equations equations;
   equations.used = photometry.shadow                   ? parameters
                    : m_settings.bend                   ? shadowAt
@@ -194,7 +196,7 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
   PixelSight last = PixelSight::RING;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
-    const SurroundLanes *surround = m_memory.blocks.surroundOf(block);
+    const SurroundLanes *surround = beyond.at(block);
     const GreyLanes grey = greyOf(block, surround, photometry, darkness.value);
     m_memory.trial.push_back(grey.residual);
     LossLanes loss = biweight(grey.residual, block.variance, static_cast<float>(noise));
@@ -205,6 +207,9 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
       loss.tells *= grey.tells;
     }
     rowOf(block, surround, photometry, darkness, grey, sums.row());
+    if (surround != nullptr) {
+      beyond.addTo(grey, sums.row());
+    }
     k = sight == last ? k : 0;
     last = sight;
     const std::size_t direction = m_memory.blocks.direction[static_cast<std::size_t>(sight)][k++];
@@ -226,11 +231,12 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
 double Likelihood::cost(const MarkerPlane &plane, const Photometry &photometry, double noise) const
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
+  SurroundModel beyond(plane, m_pattern.paper, photometry, m_memory.blocks);
   double cost = priorCost(plane, photometry, noise);
   Lanes darkness;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
-    const Lanes residual = greyOf(block, m_memory.blocks.surroundOf(block), photometry, darkness).residual;
+    const Lanes residual = greyOf(block, beyond.at(block), photometry, darkness).residual;
     cost += static_cast<double>(
         (biweight(residual, block.variance, static_cast<float>(noise)).cost * holdsPixel(block)).sum());
   });
@@ -240,11 +246,12 @@ double Likelihood::cost(const MarkerPlane &plane, const Photometry &photometry, 
 void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry)
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
+  SurroundModel beyond(plane, m_pattern.paper, photometry, m_memory.blocks);
   m_memory.residuals.clear();
   Lanes darkness;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
-    m_memory.residuals.push_back(greyOf(block, m_memory.blocks.surroundOf(block), photometry, darkness).residual);
+    m_memory.residuals.push_back(greyOf(block, beyond.at(block), photometry, darkness).residual);
   });
 }
 

@@ -31,6 +31,7 @@
 #include "refine/likelihood.h"
 #include "refine/nearly_frontal.h"
 #include "refine/resampling_doubt.h"
+#include "refine/surround_model.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -349,10 +350,11 @@ void explainPixels(const std::vector<FitPixel> &pixels, const FittedPose &fit, c
   explained.clear();
   const float variance = static_cast<float>(fit.noise * fit.noise);
   const ImageModel model(fit.plane, pattern, fit.photometry.blur, memory.blocks);
+  SurroundModel beyond(fit.plane, pattern.paper, fit.photometry, memory.blocks);
   Lanes darkness;
   forEachBlock(memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
-    const Lanes fitted = block.grey - greyOf(block, memory.blocks.surroundOf(block), fit.photometry, darkness).residual;
+    const Lanes fitted = block.grey - greyOf(block, beyond.at(block), fit.photometry, darkness).residual;
     const Lanes weight = holdsPixel(block) * variance / (variance + block.variance);
     for (int lane = 0; lane < laneCount; ++lane) {
       explained.push_back({Eigen::Vector2f(block.offsetU[lane], block.offsetV[lane]), block.grey[lane], fitted[lane],

@@ -207,9 +207,17 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
                                 marker.measuredRing ? marker.measuredRing->uneven : std::nullopt};
   MarkerInImage view = asTold;
   auto measurement = measureInLight(view, pattern, refine, true, memory, deadline, noise);
-  if (!measurement && !marker.hasCode() && view.uneven && !asTold.uneven && !deadline.hasPassed()) {
-    MarkerInImage evenly = asTold; // one of 36 discs in a photograph of a grid looked like none in the light found
-    measurement = measureInLight(evenly, pattern, refine, false, memory, deadline, noise);
+  // What a bad start leaves of a small marker may be taken for light; and one of 36 discs in a photograph of a grid
+  // looked like none in the light found. Even light is the simpler one. (Of larger ones what covers them is left: one
+  // that was evened before was no code, and with this another one's.)
+  const bool isSmall = asTold.frame.size <= leastHopelessSize;
+  const bool mayBeEven = measurement ? isSmall : !marker.hasCode();
+  if (view.uneven && !asTold.uneven && mayBeEven && !deadline.hasPassed()) {
+    MarkerInImage evenly = asTold;
+    auto even = measureInLight(evenly, pattern, refine, false, memory, deadline, noise);
+    if (even && (!measurement || unexplainedBy(even->first) < unexplainedBy(measurement->first))) {
+      measurement = std::move(even);
+    }
   }
   return measurement;
 }

@@ -64,7 +64,9 @@ struct SectorLanes
 /*! What a block's pixels may see beyond the paper. */
 struct SurroundLanes
 {
-  //! For each shape of the paper, the share that the surround has at most, and its grey level.
+  //! For each shape of the paper, whether the surround is known (1, else 0), the share of it that a pixel sees if the
+  //! paper ends there, and its grey level.
+  Lanes isKnown[paperShapes];
   Lanes share[paperShapes];
   Lanes beyond[paperShapes];
   Lanes spread; //!< Most that the surround may change, grey levels.

@@ -46,6 +46,9 @@ constexpr double mostBend = 0.12;
 constexpr double mostBlur = 0.43;
 // Or by one of another size than was seen, by this factor of the distance.
 constexpr double mostNearer = 1.5;
+// Or by ink that is darker than no light at all, by so much of the paper's (stripes by 0.5 to 0.8, with what lies
+// between them for the ground).
+constexpr double mostContrast = 1.3;
 // A code in doubt, which mostly is none, is given up as soon as a fit explains it by what no print under a lens is: by
 // ink that takes more than all of the light, by a size that is not that of the outline, as a factor of the distance,
 // or, once all pixels are fitted, by a blur of this many sectors, at the track's middle, whose standard deviation
@@ -82,8 +85,8 @@ bool isPlausible(const FittedPose &fit, const MarkerInImage &view)
   }
   const double nearer = view.marker.poses[0].center.norm() / fit.plane.center.norm();
   const SheetBend &bend = fit.plane.bend;
-  return change.norm() < 1. && std::abs(fit.photometry.blur.spread) < mostSpread &&
-         std::hypot(bend.bow, bend.saddle.norm()) < mostBend &&
+  return change.norm() < 1. && fit.photometry.contrast() < mostContrast &&
+         std::abs(fit.photometry.blur.spread) < mostSpread && std::hypot(bend.bow, bend.saddle.norm()) < mostBend &&
          fit.photometry.blur.widest() < mostBlur * view.frame.size && std::max(nearer, 1. / nearer) < mostNearer;
 }
 } // namespace

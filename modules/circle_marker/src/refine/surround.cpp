@@ -22,6 +22,7 @@
 #include <limits>
 #include <utility>
 
+#include "refine/corners.h"
 #include "support/bilinear.h"
 #include "support/normal_distribution.h"
 
@@ -30,7 +31,7 @@ namespace circle_marker {
 namespace {
 // Looks in each direction: from where the blur of the quiet zone's end has gone, a pixel apart.
 constexpr unsigned int looks = 4;
-constexpr double clearOfBlur = 1.5; // standard deviations
+constexpr double clearOfBlur = 2.2; // standard deviations
 // Where the square is looked for, in units of half of its width: its corners are at 1.41.
 constexpr std::array<double, 4> sampleExtents = {{1.07, 1.14, 1.21, 1.28}};
 // Angles of the square that are tried, 5 degrees apart: each within reach of the best that lies between them.
@@ -117,9 +118,20 @@ Ground Surround::look(unsigned int direction) const
 {
   const double angle = 2. * M_PI * direction / directions;
   const Eigen::Vector2d q(std::cos(angle), std::sin(angle));
-  const double scale = m_paper.shape == PaperShape::SQUARE ? m_paper.alongAxes(q).cwiseAbs().maxCoeff() : 1.;
+  // Outward from the paper's end, on the plane: the end's normal.
+  Eigen::Vector2d out = q;
+  double scale = 1.;
+  if (m_paper.shape == PaperShape::SQUARE) {
+    const Eigen::Vector2d along = m_paper.alongAxes(q);
+    Eigen::Index side = 0;
+    scale = along.cwiseAbs().maxCoeff(&side);
+    out = std::copysign(1., along[side]) * m_paper.axis(side);
+  }
   const Eigen::Vector2d end = m_camera.toPixel(m_plane.project(m_paper.extent / scale * q));
-  const Eigen::Vector2d outward = (end - m_camera.toPixel(m_plane.project(q))).normalized();
+  // And in the image: at a right angle to the end as it is seen. Aslant the looks would be nearer to it than they are
+  // long, and see paper by the blur.
+  const PlanePoint point = planePoint({m_camera.toMeter(end), m_camera.meterPerPixel(end)}, m_plane);
+  const Eigen::Vector2d outward = (point.byPixel.transpose() * out).normalized();
   double sum = 0., squares = 0.;
   bool isInside = true;
   for (unsigned int i = 0; i < looks && isInside; ++i) {
@@ -149,14 +161,22 @@ ShareBeyond shareBeyond(const PlanePoint &point, const PaperEnd &paper, double b
   const Eigen::Vector2d q = paper.alongAxes(point.q);
   const Eigen::Vector2d byU = paper.alongAxes(point.byPixel.col(0));
   const Eigen::Vector2d byV = paper.alongAxes(point.byPixel.col(1));
-  std::array<NormalDistribution::Value, 2> inside;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double distance =
-        (paper.extent - std::abs(q[axis])) / std::sqrt(byU[axis] * byU[axis] + byV[axis] * byV[axis]);
-    inside[static_cast<std::size_t>(axis)] = normal.at(distance / blur);
+  const double perX = 1. / std::hypot(byU.x(), byV.x());
+  const double perY = 1. / std::hypot(byU.y(), byV.y());
+  const double a = (paper.extent - std::abs(q.x())) * perX / blur;
+  const double b = (paper.extent - std::abs(q.y())) * perY / blur;
+  const auto insideX = normal.at(a);
+  const auto insideY = normal.at(b);
+  double inside = insideX.cumulative * insideY.cumulative;
+  double byDistance = insideX.density * insideY.cumulative + insideY.density * insideX.cumulative;
+  const double density = insideX.density * insideY.density;
+  if (density >= leastPaperCorner) { // aslant a corner is not a right angle
+    const double rho = std::copysign(1., q.x() * q.y()) * (byU.x() * byU.y() + byV.x() * byV.y()) * perX * perY;
+    const auto corner = cornerOf(a, b, density, rho, mostCornerTerms);
+    inside += corner.value;
+    byDistance += corner.byA + corner.byB;
   }
-  return {1. - inside[0].cumulative * inside[1].cumulative,
-          (inside[0].density * inside[1].cumulative + inside[1].density * inside[0].cumulative) / blur};
+  return {1. - inside, byDistance / blur};
 }
 
 double squareAngleOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,

@@ -91,6 +91,9 @@ constexpr double leastSurround = 0.001;
 /*! So many standard deviations of the blur away from the paper's end it is less. */
 constexpr double clearOfSurround = 3.1;
 
+/*! Product of the densities of two sides of a square sheet, at a pixel, below which that does not see their corner. */
+constexpr double leastPaperCorner = 1e-6;
+
 /*! What a pixel may see beyond the paper. */
 struct ShareBeyond
 {

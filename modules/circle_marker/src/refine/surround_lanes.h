@@ -26,37 +26,131 @@
 #include <array>
 #include <cmath>
 
+#include "refine/circle_edges.h"
+#include "refine/corners.h"
 #include "refine/light_lanes.h"
+#include "refine/surround.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
-/*! The share of what pixels see that lies beyond the paper, and its derivative by where that ends, 1 / pixel. */
+/*! How a share changes as an end of the paper moves under the pixels' rays. */
+struct EndLanes
+{
+  Lanes footX, footY; //!< Point of the end that is nearest in the image, on the plane.
+  Lanes byX, byY;     //!< Derivative of the share by the rays' place on the plane there, 1 / radius.
+};
+
+/*! The share of what pixels see that lies beyond the paper, and its derivatives. */
 struct ShareLanes
 {
   Lanes share;
-  Lanes byDistance;
+  Lanes byDistance;               //!< By where the paper ends, 1 / pixel.
+  Lanes bySigma;                  //!< 1 / pixel.
+  Lanes byElongation[2];          //!< By a step of BlurParameters::elongate().
+  std::array<EndLanes, 2> ends{}; //!< Of a square the two nearer sides, of a circle the first alone.
+  std::size_t endCount = 1;
 };
+
+/*! The same of paper that ends at a circle. blur: standard deviation, pixels, where the blur is round. */
+inline ShareLanes shareBeyondCircle(const PlaneLanes &point, const PaperEnd &paper, float blur)
+{
+  const float perBlur = 1.f / blur;
+  const Lanes perGradient = point.gradient.inverse();
+  const Lanes distance = (point.radius - static_cast<float>(paper.extent)) * perGradient; // pixels
+  const Lanes z = perBlur * distance;
+  const NormalLanes beyond = normalOf(z);
+  const Lanes byRadius = perBlur * perGradient * beyond.density;
+  const Lanes way = distance * perGradient;
+  ShareLanes result;
+  result.share = beyond.cumulative;
+  result.byDistance = perBlur * beyond.density;
+  result.bySigma = -perBlur * z * beyond.density;
+  Lanes stretched[2];
+  stretchOf(point.gradientU, point.gradientV, perGradient, stretched);
+  for (std::size_t k = 0; k < 2; ++k) {
+    result.byElongation[k] = -z * beyond.density * stretched[k];
+  }
+  const Lanes footX = point.qx - way * (point.gradientU * point.qxByU + point.gradientV * point.qxByV);
+  const Lanes footY = point.qy - way * (point.gradientU * point.qyByU + point.gradientV * point.qyByV);
+  const Lanes perRadius = (footX * footX + footY * footY).rsqrt(); // the circle's normal is that at the foot
+  result.ends[0] = {footX, footY, byRadius * perRadius * footX, byRadius * perRadius * footY};
+  return result;
+}
+
+/*! A side of a square sheet, as pixels see it. */
+struct SideLanes
+{
+  /*! axisX, axisY: of the square, on the plane, across the side. */
+  SideLanes(const PlaneLanes &point, float axisX, float axisY, float extent, float perBlur)
+  {
+    const Lanes along = axisX * point.qx + axisY * point.qy;
+    sign = (1e30f * along).max(-1.f).min(1.f);
+    byU = sign * (axisX * point.qxByU + axisY * point.qyByU);
+    byV = sign * (axisX * point.qxByV + axisY * point.qyByV);
+    perLength = (byU * byU + byV * byV).rsqrt();
+    standardised = (perBlur * (extent - along.abs()) * perLength).max(-6.5f).min(6.5f);
+    inside = normalOf(standardised);
+  }
+
+  Lanes sign;         // of the place along the axis
+  Lanes byU, byV;     // derivative of the distance along it, outward, by the pixel
+  Lanes perLength;    // of that
+  Lanes standardised; // distance in standard deviations of the blur, positive on the paper
+  NormalLanes inside; // share on the paper's side of it
+};
+
+/*! The same of a square sheet. */
+inline ShareLanes shareBeyondSquare(const PlaneLanes &point, const PaperEnd &paper, float blur)
+{
+  const auto extent = static_cast<float>(paper.extent);
+  const float perBlur = 1.f / blur;
+  const auto c = static_cast<float>(std::cos(paper.angle));
+  const auto s = static_cast<float>(std::sin(paper.angle));
+  const std::array<SideLanes, 2> sides = {{{point, c, s, extent, perBlur}, {point, -s, c, extent, perBlur}}};
+  const SideLanes &x = sides[0];
+  const SideLanes &y = sides[1];
+  Lanes inside = x.inside.cumulative * y.inside.cumulative;
+  std::array<Lanes, 2> bySide = {x.inside.density * y.inside.cumulative, y.inside.density * x.inside.cumulative};
+  const Lanes density = x.inside.density * y.inside.density;
+  if (density.maxCoeff() >= static_cast<float>(leastPaperCorner)) { // aslant a corner is not a right angle
+    const Lanes rho = (x.byU * y.byU + x.byV * y.byV) * x.perLength * y.perLength;
+    const CornerLanes corner = cornerOf(x.standardised, y.standardised, density, rho, mostCornerTerms);
+    inside += corner.value;
+    bySide[0] += corner.byA;
+    bySide[1] += corner.byB;
+  }
+  ShareLanes result;
+  result.share = 1.f - inside;
+  result.byDistance = perBlur * (bySide[0] + bySide[1]);
+  result.bySigma.setZero();
+  result.byElongation[0].setZero();
+  result.byElongation[1].setZero();
+  result.endCount = 2;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const SideLanes &side = sides[i];
+    const Lanes byBlur = side.standardised * bySide[i];
+    result.bySigma += perBlur * byBlur;
+    Lanes stretched[2];
+    stretchOf(side.byU, side.byV, side.perLength, stretched);
+    result.byElongation[0] += byBlur * stretched[0];
+    result.byElongation[1] += byBlur * stretched[1];
+    const Lanes way = blur * side.standardised * side.perLength;
+    const Lanes byAlong = perBlur * bySide[i] * side.perLength * side.sign;
+    const float axisX = i == 0 ? c : -s;
+    const float axisY = i == 0 ? s : c;
+    result.ends[i] = {point.qx + way * (side.byU * point.qxByU + side.byV * point.qxByV),
+                      point.qy + way * (side.byU * point.qyByU + side.byV * point.qyByV), axisX * byAlong,
+                      axisY * byAlong};
+  }
+  return result;
+}
 
 /*! shareBeyond() of a block. blur: standard deviation, pixels, in the coordinates of the points' derivatives. */
 inline ShareLanes shareBeyond(const PlaneLanes &point, const PaperEnd &paper, float blur)
 {
-  const auto extent = static_cast<float>(paper.extent);
-  const float perBlur = 1.f / blur;
-  if (paper.shape == PaperShape::ROUND) {
-    const NormalLanes beyond = normalOf(perBlur * (point.radius - extent) / point.gradient);
-    return {beyond.cumulative, perBlur * beyond.density};
-  }
-  const auto c = static_cast<float>(std::cos(paper.angle));
-  const auto s = static_cast<float>(std::sin(paper.angle));
-  const auto inside = [&](const Lanes &q, const Lanes &byU, const Lanes &byV) {
-    return normalOf(perBlur * (extent - q.abs()) * (byU * byU + byV * byV).rsqrt());
-  };
-  const NormalLanes x =
-      inside(c * point.qx + s * point.qy, c * point.qxByU + s * point.qyByU, c * point.qxByV + s * point.qyByV);
-  const NormalLanes y =
-      inside(c * point.qy - s * point.qx, c * point.qyByU - s * point.qxByU, c * point.qyByV - s * point.qxByV);
-  return {1.f - x.cumulative * y.cumulative, perBlur * (x.density * y.cumulative + y.density * x.cumulative)};
+  return paper.shape == PaperShape::ROUND ? shareBeyondCircle(point, paper, blur)
+                                          : shareBeyondSquare(point, paper, blur);
 }
 
 /*!
@@ -88,6 +182,7 @@ inline void putSurround(const std::array<const FitPixel *, laneCount> &pixels, c
     // The pose is better known than when the pixels were chosen.
     const ShareLanes now = shareBeyond(point, papers[shape], static_cast<float>(photometry.blur.sigma));
     const auto share = static_cast<float>(photometry.surround[shape]);
+    surround.isKnown[shape] = isKnown;
     surround.share[shape] = isKnown * now.share;
     surround.beyond[shape] = isKnown * lanesOf([&](int lane) { return beyond(lane).grey; });
     const Lanes change = isKnown * (surround.beyond[shape] - light);
