@@ -41,6 +41,7 @@ struct PaperEnd
   PaperShape shape = PaperShape::ROUND;
   double extent = 1.; //!< Radius of the circle or half of the square's width, in units of the outer radius.
   double angle = 0.;  //!< Of the square's axes, rad.
+  Eigen::Vector2d center = Eigen::Vector2d::Zero(); //!< Of circle or square, in the same units.
 
   //! One of the square's two axes.
   Eigen::Vector2d axis(Eigen::Index index) const
@@ -49,12 +50,32 @@ struct PaperEnd
                       : Eigen::Vector2d(-std::sin(angle), std::cos(angle));
   }
 
-  //! Coordinates along the square's axes.
+  //! A vector of the plane along the square's axes.
   Eigen::Vector2d alongAxes(const Eigen::Vector2d &q) const { return {axis(0).dot(q), axis(1).dot(q)}; }
 };
 
 /*! The ends that are taken into account, by their shape. */
 using PaperEnds = std::array<PaperEnd, paperShapes>;
+
+/*! How a sheet is cut otherwise than it should be, or the marker printed on it: by small amounts, on the marker's
+ * plane. */
+struct PaperPlacement
+{
+  Eigen::Vector2d shift = Eigen::Vector2d::Zero(); //!< Of its centre, outer radii.
+  double turn = 0.;                                //!< Of its axes, rad.
+  double growth = 0.;                              //!< Of its extent, outer radii.
+};
+
+/*! The paper's ends where a sheet is placed so. */
+inline PaperEnds placedAt(PaperEnds ends, const PaperPlacement &placement)
+{
+  for (PaperEnd &end : ends) {
+    end.center += placement.shift;
+    end.angle += placement.turn;
+    end.extent += placement.growth;
+  }
+  return ends;
+}
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -87,8 +87,9 @@ struct Photometry
   std::array<double, paperShapes> surround = {{0.25, 0.5}};
   //! Standard deviation by which that differs from direction to direction.
   double unevenShare = 0.3;
-  //! How well it is known where the paper ends, pixels: it moves with the pose that is sought, but sheets are not cut
-  //! to a tenth of a pixel of a marker of 20 pixels, 0.9 mm of one of 180 mm.
+  PaperPlacement paper; //!< How the paper is cut.
+  //! How well it is known where the paper ends besides, pixels: a cut is not straight to a tenth of a pixel of a marker
+  //! of 20 pixels, 0.9 mm of one of 180 mm.
   double endError = 0.1;
   std::optional<Shadow> shadow; //!< A shadow that multiplies the light; nothing: none falls on the marker.
   BlurParameters blur;

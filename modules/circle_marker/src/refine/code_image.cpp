@@ -132,7 +132,7 @@ class SeenGround
 {
 public:
   SeenGround(const MeasuredView &view, const vpCircleMarkerLayout &layout)
-      : m_view(view), m_papers(papersAround(layout)),
+      : m_view(view), m_papers(placedAt(papersAround(layout), view.fit.photometry.paper)),
         m_surrounds{{{view.I, view.camera, view.fit.plane, m_papers[0], view.fit.photometry.blur.widest()},
                      {view.I, view.camera, view.fit.plane, m_papers[1], view.fit.photometry.blur.widest()}}}
   {

@@ -82,6 +82,9 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     photometry.surround[shape] += step[surroundAt + static_cast<int>(shape)];
   }
+  photometry.paper.shift += step.segment<2>(paperAt);
+  photometry.paper.turn += step[paperAt + 2];
+  photometry.paper.growth += step[paperAt + 3];
   if (photometry.shadow) {
     Shadow &shadow = *photometry.shadow;
     shadow.factor = std::clamp(shareAfter(shadow.factor, step[shadowAt], bend), leastFactor, mostFactor);

@@ -182,6 +182,9 @@ inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const 
   for (std::size_t k = 0; k < bendSize; ++k) {
     row[bendAt + k] = byDarkness * darkness.byBend[k];
   }
+  for (std::size_t k = 0; k < paperSize; ++k) {
+    row[paperAt + k].setZero(); // SurroundModel adds what it is
+  }
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     if (surround != nullptr) {
       row[surroundAt + shape] = surround->share[shape] * (surround->beyond[shape] - grey.white);

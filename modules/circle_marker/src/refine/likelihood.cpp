@@ -56,6 +56,9 @@ constexpr double gradientPrior = 0.02;
 // The paper mostly ends where it may, at a square or, less often, at a circle, or goes on in some directions.
 constexpr std::array<double, paperShapes> expectedSurround = {{0.25, 0.5}};
 constexpr double surroundPrior = 0.5;
+// How sheets are cut, and prints lie on them: some millimetres and degrees off. Shift and growth in outer radii, turn
+// in rad.
+constexpr std::array<double, paperSize> paperPrior = {{0.01, 0.01, 0.02, 0.015}};
 // Steps of a shadow's parameters have this standard deviation at most.
 constexpr double shadowPrior = 0.3;
 // In the first guess of light and contrast, before the noise is known, a pixel with this variance, grey levels^2, from
@@ -72,6 +75,11 @@ bool isOverExposed(const std::vector<FitPixel> &pixels)
   const auto bright =
       std::count_if(pixels.begin(), pixels.end(), [](const FitPixel &pixel) { return pixel.grey >= brightest; });
   return static_cast<double>(bright) > mostOverExposed * static_cast<double>(pixels.size());
+}
+
+Eigen::Vector4d vectorOf(const PaperPlacement &paper)
+{
+  return {paper.shift.x(), paper.shift.y(), paper.turn, paper.growth};
 }
 
 // Cauchy's prior of two parameters: its cost, and the weight of a normal one with the same slope, which becomes weaker
@@ -267,6 +275,11 @@ double Likelihood::priorCost(const MarkerPlane &plane, const Photometry &photome
     const double s = (photometry.surround[shape] - expectedSurround[shape]) / surroundPrior;
     cost += s * s;
   }
+  const Eigen::Vector4d paper = vectorOf(photometry.paper);
+  for (int k = 0; k < paperSize; ++k) {
+    const double s = paper[k] / paperPrior[static_cast<std::size_t>(k)];
+    cost += s * s;
+  }
   return noise * noise * cost;
 }
 
@@ -280,6 +293,12 @@ void Likelihood::constrain(const MarkerPlane &plane, const Photometry &photometr
     const int at = surroundAt + static_cast<int>(shape);
     equations.matrix(at, at) += surroundWeight;
     equations.right[at] -= surroundWeight * (photometry.surround[shape] - expectedSurround[shape]);
+  }
+  const Eigen::Vector4d paper = vectorOf(photometry.paper);
+  for (int k = 0; k < paperSize; ++k) {
+    const double weight = std::pow(noise / paperPrior[static_cast<std::size_t>(k)], 2.);
+    equations.matrix(paperAt + k, paperAt + k) += weight;
+    equations.right[paperAt + k] -= weight * paper[k];
   }
   equations.cost += priorCost(plane, photometry, noise);
   addCauchy(photometry.blur.elongation, elongationPrior, noise, elongationAt, equations);

@@ -46,9 +46,9 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 // Places of the parameters in vectors and matrices: twist of the pose (image_model.h), light and its gradient,
-// the ink's absorption, blur, its elongation, gamma, spread, share of the surround for each shape of the paper, bend of
-// the sheet, a shadow's factor, direction, edge and softness. Where no pixel depends on the last of them only those
-// before are worked on.
+// the ink's absorption, blur, its elongation, gamma, spread, share of the surround for each shape of the paper, how
+// the paper is cut, bend of the sheet, a shadow's factor, direction, edge and softness. Where no pixel depends on the
+// last of them only those before are worked on.
 constexpr int poseSize = 6;
 constexpr int spinAt = 5;
 constexpr int lightAt = 6;
@@ -59,7 +59,9 @@ constexpr int elongationAt = 11;
 constexpr int gammaAt = 13; // its logarithm
 constexpr int spreadAt = 14;
 constexpr int surroundAt = 15;
-constexpr int bendAt = surroundAt + static_cast<int>(paperShapes);
+constexpr int paperAt = surroundAt + static_cast<int>(paperShapes);
+constexpr int paperSize = 4; // PaperPlacement: shift, turn, growth
+constexpr int bendAt = paperAt + paperSize;
 constexpr int bendSize = 3;
 constexpr int shadowAt = bendAt + bendSize;
 constexpr int shadowSize = 4;

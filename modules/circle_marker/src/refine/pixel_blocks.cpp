@@ -121,9 +121,9 @@ class Packer
 public:
   Packer(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, const MarkerPattern &pattern,
          const Photometry &photometry, double noise, PixelBlocks &blocks)
-      : m_pixels(pixels), m_isUniform(isUniform(pixels)), m_pattern(pattern), m_photometry(photometry), m_noise(noise),
-        m_blocks(blocks), m_homography(plane, blocks.reference, photometry.blur.shape()),
-        m_table(pattern, blocks.borders)
+      : m_pixels(pixels), m_isUniform(isUniform(pixels)), m_pattern(pattern), m_photometry(photometry),
+        m_papers(placedAt(pattern.paper, photometry.paper)), m_noise(noise), m_blocks(blocks),
+        m_homography(plane, blocks.reference, photometry.blur.shape()), m_table(pattern, blocks.borders)
   {
   }
 
@@ -290,7 +290,7 @@ private:
     }
     if (seesSurround) {
       block.surround = m_blocks.surrounds.size();
-      putSurround(pixels, point, m_pattern.paper, m_photometry, static_cast<float>(m_noise), block,
+      putSurround(pixels, point, m_papers, m_photometry, static_cast<float>(m_noise), block,
                   m_blocks.surrounds.emplace_back());
     }
   }
@@ -317,6 +317,7 @@ private:
   const bool m_isUniform;
   const MarkerPattern &m_pattern;
   const Photometry &m_photometry;
+  const PaperEnds m_papers; // as the sheet is cut
   const double m_noise;
   PixelBlocks &m_blocks;
   const PlaneHomography m_homography;
@@ -371,6 +372,7 @@ void judgeSurround(const std::vector<FitPixel> &pixels, const MarkerPlane &plane
     return;
   }
   const PlaneHomography homography(plane, blocks.reference, photometry.blur.shape());
+  const PaperEnds papers = placedAt(pattern.paper, photometry.paper);
   PlaneLanes point;
   const unsigned int *first = blocks.sortedPixels.data();
   for (std::size_t kind = 0; kind < pixelSights; ++kind) {
@@ -380,7 +382,7 @@ void judgeSurround(const std::vector<FitPixel> &pixels, const MarkerPlane &plane
       if (block.surround != PixelBlock::none) {
         homography.apply(block.place, point);
         block.variance = holdingOnly(count);
-        putSurround(pixelsOf(pixels, first, count), point, pattern.paper, photometry, static_cast<float>(noise), block,
+        putSurround(pixelsOf(pixels, first, count), point, papers, photometry, static_cast<float>(noise), block,
                     blocks.surrounds[block.surround]);
       }
       first += count;

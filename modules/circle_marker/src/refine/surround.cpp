@@ -153,12 +153,13 @@ ShareBeyond shareBeyond(const PlanePoint &point, const PaperEnd &paper, double b
 {
   const NormalDistribution &normal = NormalDistribution::instance();
   if (paper.shape == PaperShape::ROUND) {
-    const double radius = point.q.norm();
-    const double gradient = (point.byPixel.transpose() * (point.q / radius)).norm();
+    const Eigen::Vector2d fromCenter = point.q - paper.center;
+    const double radius = fromCenter.norm();
+    const double gradient = (point.byPixel.transpose() * (fromCenter / radius)).norm();
     const auto beyond = normal.at((radius - paper.extent) / (gradient * blur));
     return {beyond.cumulative, beyond.density / blur};
   }
-  const Eigen::Vector2d q = paper.alongAxes(point.q);
+  const Eigen::Vector2d q = paper.alongAxes(point.q - paper.center);
   const Eigen::Vector2d byU = paper.alongAxes(point.byPixel.col(0));
   const Eigen::Vector2d byV = paper.alongAxes(point.byPixel.col(1));
   const double perX = 1. / std::hypot(byU.x(), byV.x());

@@ -48,6 +48,7 @@ struct ShareLanes
   Lanes byDistance;               //!< By where the paper ends, 1 / pixel.
   Lanes bySigma;                  //!< 1 / pixel.
   Lanes byElongation[2];          //!< By a step of BlurParameters::elongate().
+  Lanes byExtent;                 //!< By PaperEnd::extent.
   std::array<EndLanes, 2> ends{}; //!< Of a square the two nearer sides, of a circle the first alone.
   std::size_t endCount = 1;
 };
@@ -56,8 +57,17 @@ struct ShareLanes
 inline ShareLanes shareBeyondCircle(const PlaneLanes &point, const PaperEnd &paper, float blur)
 {
   const float perBlur = 1.f / blur;
-  const Lanes perGradient = point.gradient.inverse();
-  const Lanes distance = (point.radius - static_cast<float>(paper.extent)) * perGradient; // pixels
+  const auto centerX = static_cast<float>(paper.center.x());
+  const auto centerY = static_cast<float>(paper.center.y());
+  const Lanes x = point.qx - centerX;
+  const Lanes y = point.qy - centerY;
+  const Lanes radius = (x * x + y * y).max(1e-12f).sqrt();
+  const Lanes outX = x / radius;
+  const Lanes outY = y / radius;
+  const Lanes gradientU = point.qxByU * outX + point.qyByU * outY;
+  const Lanes gradientV = point.qxByV * outX + point.qyByV * outY;
+  const Lanes perGradient = (gradientU * gradientU + gradientV * gradientV).rsqrt();
+  const Lanes distance = (radius - static_cast<float>(paper.extent)) * perGradient; // pixels
   const Lanes z = perBlur * distance;
   const NormalLanes beyond = normalOf(z);
   const Lanes byRadius = perBlur * perGradient * beyond.density;
@@ -67,14 +77,15 @@ inline ShareLanes shareBeyondCircle(const PlaneLanes &point, const PaperEnd &pap
   result.byDistance = perBlur * beyond.density;
   result.bySigma = -perBlur * z * beyond.density;
   Lanes stretched[2];
-  stretchOf(point.gradientU, point.gradientV, perGradient, stretched);
+  stretchOf(gradientU, gradientV, perGradient, stretched);
   for (std::size_t k = 0; k < 2; ++k) {
     result.byElongation[k] = -z * beyond.density * stretched[k];
   }
-  const Lanes footX = point.qx - way * (point.gradientU * point.qxByU + point.gradientV * point.qxByV);
-  const Lanes footY = point.qy - way * (point.gradientU * point.qyByU + point.gradientV * point.qyByV);
+  const Lanes footX = x - way * (gradientU * point.qxByU + gradientV * point.qxByV);
+  const Lanes footY = y - way * (gradientU * point.qyByU + gradientV * point.qyByV);
   const Lanes perRadius = (footX * footX + footY * footY).rsqrt(); // the circle's normal is that at the foot
-  result.ends[0] = {footX, footY, byRadius * perRadius * footX, byRadius * perRadius * footY};
+  result.ends[0] = {footX + centerX, footY + centerY, byRadius * perRadius * footX, byRadius * perRadius * footY};
+  result.byExtent = -byRadius;
   return result;
 }
 
@@ -82,9 +93,9 @@ inline ShareLanes shareBeyondCircle(const PlaneLanes &point, const PaperEnd &pap
 struct SideLanes
 {
   /*! axisX, axisY: of the square, on the plane, across the side. */
-  SideLanes(const PlaneLanes &point, float axisX, float axisY, float extent, float perBlur)
+  SideLanes(const PlaneLanes &point, float axisX, float axisY, float center, float extent, float perBlur)
   {
-    const Lanes along = axisX * point.qx + axisY * point.qy;
+    const Lanes along = axisX * point.qx + axisY * point.qy - center;
     sign = (1e30f * along).max(-1.f).min(1.f);
     byU = sign * (axisX * point.qxByU + axisY * point.qyByU);
     byV = sign * (axisX * point.qxByV + axisY * point.qyByV);
@@ -107,7 +118,9 @@ inline ShareLanes shareBeyondSquare(const PlaneLanes &point, const PaperEnd &pap
   const float perBlur = 1.f / blur;
   const auto c = static_cast<float>(std::cos(paper.angle));
   const auto s = static_cast<float>(std::sin(paper.angle));
-  const std::array<SideLanes, 2> sides = {{{point, c, s, extent, perBlur}, {point, -s, c, extent, perBlur}}};
+  const Eigen::Vector2f center = paper.alongAxes(paper.center).cast<float>();
+  const std::array<SideLanes, 2> sides = {
+      {{point, c, s, center.x(), extent, perBlur}, {point, -s, c, center.y(), extent, perBlur}}};
   const SideLanes &x = sides[0];
   const SideLanes &y = sides[1];
   Lanes inside = x.inside.cumulative * y.inside.cumulative;
@@ -126,6 +139,7 @@ inline ShareLanes shareBeyondSquare(const PlaneLanes &point, const PaperEnd &pap
   result.bySigma.setZero();
   result.byElongation[0].setZero();
   result.byElongation[1].setZero();
+  result.byExtent.setZero();
   result.endCount = 2;
   for (std::size_t i = 0; i < 2; ++i) {
     const SideLanes &side = sides[i];
@@ -136,7 +150,9 @@ inline ShareLanes shareBeyondSquare(const PlaneLanes &point, const PaperEnd &pap
     result.byElongation[0] += byBlur * stretched[0];
     result.byElongation[1] += byBlur * stretched[1];
     const Lanes way = blur * side.standardised * side.perLength;
-    const Lanes byAlong = perBlur * bySide[i] * side.perLength * side.sign;
+    const Lanes byOutward = perBlur * bySide[i] * side.perLength;
+    const Lanes byAlong = byOutward * side.sign;
+    result.byExtent -= byOutward;
     const float axisX = i == 0 ? c : -s;
     const float axisY = i == 0 ? s : c;
     result.ends[i] = {point.qx + way * (side.byU * point.qxByU + side.byV * point.qxByV),

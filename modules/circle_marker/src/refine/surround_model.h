@@ -20,7 +20,8 @@
   \brief What pixels see beyond the paper, as a function of the pose.
 
   On dark ground the paper's end is an edge as strong as the ring's, and a small marker's pixels see both. It moves with
-  the pose that is sought: held where the pose was before, it holds the pose there.
+  the pose that is sought: held where the pose was before, it holds the pose there. And it moves by how the sheet is cut
+  (PaperPlacement), which is fitted as well: a sheet that is turned against its print would draw the pose along.
 */
 
 #ifndef VP_CIRCLE_MARKER_SURROUND_MODEL_H
@@ -39,14 +40,14 @@ class SurroundModel
 public:
   /*!
     \param plane : The pose.
-    \param papers : Where the paper may end.
-    \param photometry : Light and blur; has to outlive this.
+    \param papers : Where the paper should end.
+    \param photometry : Light, blur and how the paper is cut; has to outlive this.
     \param blocks : The pixels; have to outlive this.
     \param seesBend : Whether derivatives by the sheet's bend are wanted.
   */
   SurroundModel(const MarkerPlane &plane, const PaperEnds &papers, const Photometry &photometry,
                 const PixelBlocks &blocks, bool seesBend = false)
-      : m_papers(papers), m_photometry(photometry), m_blocks(blocks),
+      : m_papers(placedAt(papers, photometry.paper)), m_photometry(photometry), m_blocks(blocks),
         m_homography(plane, blocks.reference, photometry.blur.shape()), m_motion(motionAt(plane, seesBend))
   {
   }
@@ -82,9 +83,16 @@ public:
       row[sigmaAt] += weight * share.bySigma;
       row[elongationAt] += weight * share.byElongation[0];
       row[elongationAt + 1] += weight * share.byElongation[1];
+      row[paperAt + 3] += weight * share.byExtent;
+      const Eigen::Vector2f center = m_papers[shape].center.cast<float>();
       for (std::size_t i = 0; i < share.endCount; ++i) {
         const EndLanes &end = share.ends[i];
-        m_motion.addMotion(end.footX, end.footY, weight * end.byX, weight * end.byY, change);
+        const Lanes byX = weight * end.byX;
+        const Lanes byY = weight * end.byY;
+        m_motion.addMotion(end.footX, end.footY, byX, byY, change);
+        row[paperAt] -= byX;
+        row[paperAt + 1] -= byY;
+        row[paperAt + 2] += byX * (end.footY - center.y()) - byY * (end.footX - center.x());
       }
     }
     for (std::size_t k = 0; k < poseSize; ++k) {
@@ -102,7 +110,7 @@ private:
     return {static_cast<float>(c.x()), static_cast<float>(c.y()), static_cast<float>(-1. / c.z()), seesBend};
   }
 
-  const PaperEnds &m_papers;
+  const PaperEnds m_papers;
   const Photometry &m_photometry;
   const PixelBlocks &m_blocks;
   const PlaneHomography m_homography;
