@@ -198,12 +198,13 @@ TEST(DetectorPhantoms, PrintsOfOtherWordsHaveNoCode)
 }
 
 // Where few pixels show a sector alone the likeliest of all words tells what is printed: 11 and 22 of these 240 each
-// were read, their sectors taken for covered one by one, and one and five still are.
+// were read, their sectors taken for covered one by one, and none and six still are (one and five before the paper's
+// end moved with the pose).
 TEST(DetectorPhantoms, SmallPrintsOfOtherWordsHaveNoCode)
 {
   Random random = randomOfTest();
-  EXPECT_LE(readOfOtherWords(random, vpCircleMarkerFamily::GOLAY23, 3, 25., 50.), 1u);
-  EXPECT_LE(readOfOtherWords(random, vpCircleMarkerFamily::BCH31, 3, 30., 60.), 5u);
+  EXPECT_EQ(readOfOtherWords(random, vpCircleMarkerFamily::GOLAY23, 3, 25., 50.), 0u);
+  EXPECT_LE(readOfOtherWords(random, vpCircleMarkerFamily::BCH31, 3, 30., 60.), 6u);
 }
 
 // Of bch31r, whose codewords few words are near to, up to four black sectors that look like paper may be covered; none
