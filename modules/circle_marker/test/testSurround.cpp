@@ -165,7 +165,6 @@ TEST(Surround, ShareBeyondACornerIsThatOfAllPoints)
         beyond += q.cwiseAbs().maxCoeff() > paper.extent ? weight : 0.;
       }
     }
-    // With the sides taken for independent up to 0.1 is missed.
     EXPECT_NEAR(shareBeyond(point, paper, blur).share, beyond / all, 0.005);
   }
 }

@@ -57,8 +57,7 @@ struct PaperEnd
 /*! The ends that are taken into account, by their shape. */
 using PaperEnds = std::array<PaperEnd, paperShapes>;
 
-/*! How a sheet is cut otherwise than it should be, or the marker printed on it: by small amounts, on the marker's
- * plane. */
+/*! How a sheet is cut, or a print lies on it, otherwise than it should be: by little, on the marker's plane. */
 struct PaperPlacement
 {
   Eigen::Vector2d shift = Eigen::Vector2d::Zero(); //!< Of its centre, outer radii.

@@ -47,7 +47,7 @@ constexpr double mostOfBlur = 0.3;
 
 // A small marker that leaves more than this factor of the noise, and this share of the contrast, is measured once more
 // from where its fit has ended. (A golay23 of 27 pixels, 7 wide, ended where it left 1.8 times the noise; of 650 small
-// ones three are looked at again.)
+// ones three are looked at again; private.)
 constexpr double muchMoreThanNoise = 1.3;
 constexpr double muchLeft = 0.015;
 

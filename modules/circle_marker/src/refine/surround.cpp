@@ -29,7 +29,7 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Looks in each direction: from where the blur of the quiet zone's end has gone, a pixel apart.
+// Looks in each direction: from where the blur of the quiet zone's end has gone, to a seventieth, a pixel apart.
 constexpr unsigned int looks = 4;
 constexpr double clearOfBlur = 2.2; // standard deviations
 // Where the square is looked for, in units of half of its width: its corners are at 1.41.
