@@ -98,6 +98,7 @@ TEST(DetectorProgram, WrongArgumentsEndWithTwo)
       reference(referencePicture, {"--last", "5"}),
       reference("img%d.png", {"--overlay", "one-name.png"}),
       {"--input", referencePicture, "--intrinsic", data + "/camera.xml", "--camera-name", "Camera", "--size", "0"},
+      {"--input", referencePicture, "--intrinsic", data + "/camera.xml", "--camera-name", "Camera", "--size", "1e300"},
   };
   for (const std::vector<std::string> &arguments : cases) {
     const test::Outcome outcome = test::run(DETECTOR_PROGRAM, arguments, folder);

@@ -55,6 +55,30 @@ TEST(DetectorProgram, UnreadableImageOfASequenceIsSkipped)
   EXPECT_EQ(overlay.size(), cv::Size(640, 480));
 }
 
+TEST(DetectorProgram, WhatWasFoundBeforeAnInterruptionIsKept)
+{
+  const fs::path folder = test::emptyFolder();
+  std::ofstream list(folder / "list.txt");
+  for (int i = 0; i < 100000; ++i) { // many minutes
+    list << referencePicture << "\n";
+  }
+  list.close();
+  const std::string script =
+      "\"$@\" & program=$!; until [ -e overlay-3.png ] || ! kill -0 $program; do sleep 0.05; done; "
+      "kill -TERM $program; wait $program";
+  std::vector<std::string> arguments = {"-c", script, "sh", DETECTOR_PROGRAM};
+  for (const std::string &argument : reference("@list.txt", {"--json", "out.jsonl", "--overlay", "overlay-%d.png"})) {
+    arguments.push_back(argument);
+  }
+  const test::Outcome outcome = test::run("/bin/sh", arguments, folder);
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.err.find("interrupted after "), std::string::npos) << outcome.err;
+  const std::size_t done = linesOf(test::contentOf(folder / "out.jsonl")).size();
+  EXPECT_GE(done, 3U);
+  EXPECT_LT(done, 100000U);
+  EXPECT_EQ(test::filesIn(folder).size(), done + 2) << "a picture for each line, the list and the lines";
+}
+
 TEST(DetectorProgram, FirstAndLastAskForEveryNumberBetween)
 {
   const fs::path folder = test::emptyFolder();

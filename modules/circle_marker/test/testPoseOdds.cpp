@@ -48,6 +48,15 @@ TEST(PoseOdds, WhatPullsThePoseApartPrefersOneAsMuch)
   EXPECT_NEAR(coherentOdds(40., fit(5., 1., true), fit(1., 1., true), 2.), 8., 1e-12);
 }
 
+TEST(PoseOdds, EdgesThatAreNoisierThanThePaperSayLess)
+{
+  FittedPose noisy = fit(1., 1., true);
+  noisy.steepness = 2.;
+  EXPECT_NEAR(coherentOdds(40., noisy, fit(1., 1., true), 2.), 20., 1e-12);
+  noisy.coherence = 4.;
+  EXPECT_NEAR(coherentOdds(40., noisy, fit(1., 1., true), 2.), 5., 1e-12);
+}
+
 TEST(PoseOdds, AFitThatIsOnItsWaySaysLess)
 {
   // The second would leave 240 grey levels^2 less: 30 in the cost at a noise of 2, 6 by a coherence of 5.

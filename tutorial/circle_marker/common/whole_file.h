@@ -69,8 +69,10 @@ inline void writeWhole(const std::string &path, const std::function<void(const s
     write(temporary.string());
   }
   catch (const std::exception &e) {
+    const fs::space_info disk = fs::space(target.parent_path(), error); // the writers of pictures do not tell why
+    const bool isFull = !error && disk.available == 0;
     fs::remove(temporary, error);
-    throw cannotWrite(e.what());
+    throw cannotWrite(isFull ? "the disk is full" : e.what());
   }
   fs::rename(temporary, target, error);
   if (error) {

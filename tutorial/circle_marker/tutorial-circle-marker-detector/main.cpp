@@ -40,6 +40,7 @@
 #include "../common/detection/image_source.h"
 #include "../common/detection/json_line.h"
 #include "../common/detection/marker_overlay.h"
+#include "../common/interruption.h"
 #include "../common/numbered_name.h"
 #include "../common/processor_time.h"
 #include "../common/program.h"
@@ -98,6 +99,9 @@ public:
     if (order.display) {
       m_window.emplace("Circular markers", 10, 10);
     }
+    else { // a window waits for a click, and would not hear of it
+      watchInterruption();
+    }
   }
 
   /*! \return Whether all inputs could be used. */
@@ -105,7 +109,7 @@ public:
   {
     const bool showProgress = isatty(STDERR_FILENO) != 0 && m_source->size() > 10;
     std::size_t done = 0;
-    while (const std::optional<SourceImage> source = m_source->next()) {
+    while (const std::optional<SourceImage> source = isInterrupted() ? std::nullopt : m_source->next()) {
       one(*source);
       ++done;
       if (showProgress) {
@@ -117,6 +121,10 @@ public:
     }
     if (showProgress) {
       std::cerr << std::endl;
+    }
+    if (isInterrupted()) {
+      m_allUsed = false;
+      program.complain("interrupted after " + std::to_string(done) + " images; what was found in them is kept");
     }
     if (!m_order.json.empty()) {
       writeWholeText(m_order.json, m_lines);

@@ -49,11 +49,11 @@ NoiseDescent::NoiseDescent(bool isKnown, bool isQuick)
 {
 }
 
-double NoiseDescent::next(Likelihood &fit)
+double NoiseDescent::next(Likelihood &fit, const Photometry &photometry)
 {
   --m_updates;
   m_excess = m_excess > m_leastExcess ? m_excess * excessDecay : 0.;
-  const ResidualSpread spread = fit.spreadOfResiduals();
+  const ResidualSpread spread = fit.spreadOfResiduals(photometry);
   return std::max(spread.median, m_excess * spread.wide);
 }
 

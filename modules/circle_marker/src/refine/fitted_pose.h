@@ -40,9 +40,11 @@ struct FittedPose
   double correlation = 0.; //!< Between model and image, in [-1, 1].
   bool isSettled = false;  //!< Whether it has come to the end of its steps, not to the last allowed.
   double coherence = 1.;   //!< By how much parts of the print pull the pose apart more than noise does.
-  double decrement = 0.;   //!< What another step would take off the squares, grey levels^2.
-  double sharing = 1.;     //!< Number of pixels that share what is left of them (ImageNoise), as far as that is noise.
-  double resampled = 1.;   //!< By how much less its tilt is known because the image was resampled (ImageNoise).
+  //! Variance of the residuals where the image is steep over that of all, as far as that is not in the coherence.
+  double steepness = 1.;
+  double decrement = 0.; //!< What another step would take off the squares, grey levels^2.
+  double sharing = 1.;   //!< Number of pixels that share what is left of them (ImageNoise), as far as that is noise.
+  double resampled = 1.; //!< By how much less its tilt is known because the image was resampled (ImageNoise).
   //! Information on the lean that its square gives, by that square, 1/rad^4; nothing unless the marker nearly faces the
   //! camera (nearly_frontal.h).
   std::optional<double> leanInformation;

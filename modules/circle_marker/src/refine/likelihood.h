@@ -47,6 +47,11 @@ struct Equations
   //! outlier; of pixels that tell the noise: what the surround may add is not known well enough.
   double squares = 0.;
   double kept = 0.;
+  //! Of the same pixels, each with its weight: sum of the squared slopes of the image, which say how much a pixel tells
+  //! of the pose, sum of their squares, and sum of the squared residuals, once more with their weights, times these.
+  double steepness = 0.;
+  double squaredSteepness = 0.;
+  double steepSquares = 0.;
 };
 
 /*! Standard deviations that normal noise with the same quantiles would have, grey levels. */
@@ -121,17 +126,20 @@ public:
     bent, moved or lit in a way that the model does not know.
     \param influence : By the equations kept.
     \param step : Last step from where these were made.
-    \param noise : Grey levels.
+    \param pull : Root of the expected mean square of a residual with its weight, over that of the weight, grey levels.
     \param used : Number of parameters, the first ones, that any pixel depends on.
   */
-  CoherentCovariance coherentCovariance(const PoseInfluence &influence, const ParameterVector &step, double noise,
+  CoherentCovariance coherentCovariance(const PoseInfluence &influence, const ParameterVector &step, double pull,
                                         int used) const;
 
   /*! The residuals at a pose, without equations. */
   void evaluate(const MarkerPlane &plane, const Photometry &photometry);
 
-  /*! Spread of the residuals kept that see no surround; HUGE_VAL if there are none. */
-  ResidualSpread spreadOfResiduals();
+  /*!
+    Spread of the residuals kept that see no surround, no less than what any model of edges leaves; HUGE_VAL if there
+    are none.
+  */
+  ResidualSpread spreadOfResiduals(const Photometry &photometry);
 
   /*! How much the share of the surround differs from direction to direction, by the residuals kept. */
   double unevenShareOfResiduals(double noise) const;

@@ -23,6 +23,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "refine/biweight_moments.h"
 #include "refine/fit_conclusion.h"
 #include "refine/fit_preparation.h"
 #include "refine/fit_progress.h"
@@ -44,8 +45,6 @@ constexpr double leastDamping = 1e-3;
 constexpr double mostDamping = 1e6;
 // Relative error of a cost, summed up in single precision.
 constexpr double rounding = 1e-6;
-// Reweighting alone makes a step too short: the biweight's slope, E[psi'] = 0.762, is less than its mean weight, 0.915.
-constexpr double biweightStep = 0.915 / 0.762;
 // What a step leaves of the way: by the chance of the weights this share, and by the bend of the edges' profiles as
 // much as it moves them, in units of their blur.
 constexpr double stepError = 0.2;
@@ -102,7 +101,7 @@ public:
     }
     else {
       m_likelihood.evaluate(m_result.plane, m_result.photometry);
-      m_noise = m_likelihood.spreadOfResiduals().wide;
+      m_noise = m_likelihood.spreadOfResiduals(m_result.photometry).wide;
     }
     if (!std::isfinite(m_noise)) {
       return false;
@@ -127,7 +126,7 @@ public:
         return FitState::ENDED;
       }
       if (!m_descent.isOver()) {
-        m_noise = m_descent.next(m_likelihood);
+        m_noise = m_descent.next(m_likelihood, m_result.photometry);
         m_equations.cost = m_likelihood.costOfResiduals(trial->plane, trial->photometry, m_noise);
       }
       return FitState::GOES_ON;
@@ -200,9 +199,16 @@ private:
     trial.size = std::sqrt(whole.dot(m_equations.matrix * whole)) / m_noise;
     trial.plane = m_result.plane;
     trial.photometry = m_result.photometry;
-    applyStep(biweightStep * trial.step, trial.plane, trial.photometry);
+    applyStep(lengthening() * trial.step, trial.plane, trial.photometry);
     trial.isStale = m_preparation.isStale(trial.plane, trial.photometry, m_noise);
     return trial;
+  }
+
+  // Reweighting alone makes a step too short: the slope of the weighted residuals is less than the weights' mean.
+  double lengthening() const
+  {
+    const BiweightMoments moments = weighedNoise(m_equations.squares, std::max(m_equations.kept, 1.), m_noise).moments;
+    return moments.weight / moments.squares;
   }
 
   // Whether what a step leaves of the way is too short to be worth another one.
@@ -220,7 +226,7 @@ private:
     m_result.photometry = trial.photometry;
     m_result.photometry.unevenShare = m_likelihood.unevenShareOfResiduals(m_noise);
     const bool isRough = m_preparation.isRough(m_result.plane, m_result.photometry);
-    const double noise = m_likelihood.spreadOfResiduals().median;
+    const double noise = m_likelihood.spreadOfResiduals(m_result.photometry).median;
     if (!isRough && noise < overestimated * m_noise) { // steps are longer than they seemed, and outliers count too much
       m_noise = noise;
       linearise(m_result.plane, m_result.photometry);

@@ -70,13 +70,13 @@ using ParameterVector = Eigen::Matrix<double, parameters, 1>;
 using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
 
 // Sums over the pixels of a direction, in whole blocks of lanes: the lower triangle of the equations' matrix, row by
-// row; and their right-hand side, the cost and what it takes to know the noise.
+// row; and their right-hand side, the cost and what it takes to know the noise, everywhere and at edges.
 constexpr std::size_t wholeBlocks(std::size_t numbers)
 {
   return (numbers + laneCount - 1) / laneCount * laneCount;
 }
 using ProductSums = std::array<double, wholeBlocks(parameters *(parameters + 1) / 2)>;
-using PullSums = std::array<double, wholeBlocks(parameters + 3)>;
+using PullSums = std::array<double, wholeBlocks(parameters + 6)>;
 
 /*! Sums of a pass over the pixels, direction by direction. */
 struct PassSums

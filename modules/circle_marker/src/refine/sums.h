@@ -73,6 +73,11 @@ public:
     m_pullLanes[costAt] += loss.cost;
     m_pullLanes[squaresAt] += loss.tells * loss.weight * residual.square();
     m_pullLanes[keptAt] += loss.tells * loss.kept;
+    // The square of the slope: a shift of the print in its plane moves all edges.
+    const Lanes steepness = loss.tells * loss.weight * (row[0].square() + row[1].square());
+    m_pullLanes[steepnessAt] += steepness;
+    m_pullLanes[squaredSteepnessAt] += steepness.square();
+    m_pullLanes[steepSquaresAt] += steepness * loss.weight * residual.square();
     if (++m_pending == blocksOfGroup) {
       closeGroup();
     }
@@ -108,12 +113,18 @@ public:
     equations.cost = total[costAt];
     equations.squares = total[squaresAt];
     equations.kept = total[keptAt];
+    equations.steepness = total[steepnessAt];
+    equations.squaredSteepness = total[squaredSteepnessAt];
+    equations.steepSquares = total[steepSquaresAt];
   }
 
 private:
   static constexpr std::size_t costAt = parameters;
   static constexpr std::size_t squaresAt = costAt + 1;
   static constexpr std::size_t keptAt = costAt + 2;
+  static constexpr std::size_t steepnessAt = costAt + 3;
+  static constexpr std::size_t squaredSteepnessAt = costAt + 4;
+  static constexpr std::size_t steepSquaresAt = costAt + 5;
 
   template <class Numbers> static Numbers totalOf(const std::vector<Numbers> &all)
   {

@@ -18,7 +18,6 @@
 #include "detector_options.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 #include <CLI/CLI.hpp>
@@ -48,8 +47,10 @@ std::vector<vpCircleMarkerFamily> familiesOf(const std::string &names, const std
 
 double checkedSize(double size, const std::string &option)
 {
-  if (!(size > 0.) || !std::isfinite(size)) {
-    throw UsageError(option + " is the outer diameter of the ring in metres and must be positive, for instance 0.18");
+  constexpr double most = 1000.; // metres, more than is printed anywhere
+  if (!(size > 0. && size <= most)) {
+    throw UsageError(option +
+                     " is the outer diameter of the ring in metres, positive and no more than 1000, for instance 0.18");
   }
   return size;
 }
