@@ -10,6 +10,7 @@
  *
  * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
  * Description:
  * Noise that is told from residuals weighed by Tukey's biweight.
  */

@@ -196,19 +196,15 @@ private:
     }
     const ParameterVector whole =
         m_damping > 0. ? solveEquations(m_equations.matrix, m_equations.right, m_equations.used) : trial.step;
-    trial.size = std::sqrt(whole.dot(m_equations.matrix * whole)) / m_noise;
+    const WeighedNoise noise = weighedNoise(m_equations.squares, std::max(m_equations.kept, 1.), m_noise);
+    trial.size = std::sqrt(whole.dot(m_equations.matrix * whole)) / noise.sigma;
     trial.plane = m_result.plane;
     trial.photometry = m_result.photometry;
-    applyStep(lengthening() * trial.step, trial.plane, trial.photometry);
+    // Reweighting alone makes a step too short: the slope of the weighted residuals is less than the weights' mean.
+    const double longer = noise.moments.weight / noise.moments.squares;
+    applyStep(longer * trial.step, trial.plane, trial.photometry);
     trial.isStale = m_preparation.isStale(trial.plane, trial.photometry, m_noise);
     return trial;
-  }
-
-  // Reweighting alone makes a step too short: the slope of the weighted residuals is less than the weights' mean.
-  double lengthening() const
-  {
-    const BiweightMoments moments = weighedNoise(m_equations.squares, std::max(m_equations.kept, 1.), m_noise).moments;
-    return moments.weight / moments.squares;
   }
 
   // Whether what a step leaves of the way is too short to be worth another one.
