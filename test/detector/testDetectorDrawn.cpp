@@ -107,7 +107,7 @@ TEST(DetectorDrawn, CovarianceWithoutNoise)
   }
   RecordProperty("distance", std::to_string(sum / count));
   // The errors of neighbours along an edge are alike, and the covariance knows that only roughly.
-  EXPECT_LT(sum / count, 4.);
+  EXPECT_LT(sum / count, 3.);
 }
 
 // Edges that are drawn by few samples are not what covers a ring.

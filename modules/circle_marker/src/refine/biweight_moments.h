@@ -63,12 +63,16 @@ struct WeighedNoise
 */
 inline WeighedNoise weighedNoise(double squares, double freedom, double noise)
 {
-  const double weighed = std::sqrt(squares / freedom);
-  WeighedNoise result = {weighed, biweightMoments(tukey)};
+  // What pixels are weighed by is told from the median of the residuals, and differs from their noise by chance.
+  constexpr double mostByChance = 1.2;
   constexpr int steps = 4; // each takes four fifths of the error away, at least
+  const double weighed = std::sqrt(squares / freedom);
+  WeighedNoise result;
+  double ratio = 1.;
   for (int k = 0; k < steps; ++k) {
-    result.moments = biweightMoments(tukey * std::max(noise / std::max(result.sigma, quantisation), 1.));
+    result.moments = biweightMoments(tukey * ratio);
     result.sigma = std::max(weighed * std::sqrt(result.moments.weight / result.moments.squares), quantisation);
+    ratio = noise > mostByChance * result.sigma ? noise / result.sigma : 1.;
   }
   return result;
 }

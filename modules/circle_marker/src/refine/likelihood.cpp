@@ -135,6 +135,7 @@ bool Likelihood::correct(const MarkerPlane &plane, const Photometry &photometry)
 void Likelihood::keepResiduals()
 {
   m_memory.residuals.swap(m_memory.trial);
+  m_memory.steepness.swap(m_memory.trialSteepness);
   m_memory.sums.pulls.swap(m_memory.trialSums.pulls);
   if (m_trialHasProducts) {
     m_memory.sums.products.swap(m_memory.trialSums.products);
@@ -199,6 +200,7 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
                                                        : bendAt;
   Sums sums(m_memory.trialSums, static_cast<std::size_t>(equations.used), formsProducts);
   m_memory.trial.clear();
+  m_memory.trialSteepness.clear();
   DarknessLanes darkness;
   std::size_t k = 0;
   PixelSight last = PixelSight::RING;
@@ -218,11 +220,14 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
     if (surround != nullptr) {
       beyond.addTo(grey, sums.row());
     }
+    // A shift of the print in its plane moves all edges.
+    const Lanes steepness = sums.row()[0].square() + sums.row()[1].square();
+    m_memory.trialSteepness.push_back(steepness);
     k = sight == last ? k : 0;
     last = sight;
     const std::size_t direction = m_memory.blocks.direction[static_cast<std::size_t>(sight)][k++];
     // Coherence is not asked for where bends are not corrected: it is for a final fit.
-    sums.add(grey.residual, loss, m_settings.exactBends ? direction : 0);
+    sums.add(grey.residual, loss, steepness, m_settings.exactBends ? direction : 0);
   });
   sums.close(equations);
   if (formsProducts) {
@@ -256,6 +261,7 @@ void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
   SurroundModel beyond(plane, m_pattern.paper, photometry, m_memory.blocks);
   m_memory.residuals.clear();
+  m_memory.steepness.clear();
   Lanes darkness;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);

@@ -59,7 +59,11 @@ struct ResidualSpread
 {
   double median = 0.; //!< Of the median: right when the fit is, even with half of the marker covered.
   double wide = 0.;   //!< Of the 80 % quantile: before the fit is right the edges' large residuals show in this one.
+  double steep = 0.;  //!< Of the median where pixels count by the squared slope of the image: of the edges alone.
 };
+
+/*! What any model of edges leaves, standard deviation, grey levels: pixels are weighed by no less. */
+double leastNoise(const Photometry &photometry);
 
 /*! How well a model explains the image. */
 struct Explanation

@@ -91,9 +91,11 @@ struct FitMemory
   PixelBlocks blocks;           //!< The pixels.
   std::vector<Lanes> residuals; //!< Of the present parameters, block by block, grey levels.
   std::vector<Lanes> trial;     //!< Of the last pass.
-  std::vector<Lanes> sizes;     //!< Of the residuals, for their quantiles.
-  PassSums sums;                //!< Of the present parameters.
-  PassSums trialSums;           //!< Of the last pass.
+  std::vector<Lanes> steepness; //!< Squared slope of the image at each pixel; empty: not known.
+  std::vector<Lanes> trialSteepness;
+  std::vector<Lanes> sizes; //!< Of the residuals, for their quantiles.
+  PassSums sums;            //!< Of the present parameters.
+  PassSums trialSums;       //!< Of the last pass.
 };
 
 /*!

@@ -34,11 +34,10 @@ constexpr double sigmaOfQuantile = 0.7803;
 constexpr float leastQuantile = 0.15f;
 constexpr float mostQuantile = 512.f;
 constexpr int bisections = 13;
-// A pixel that is off by this share of the contrast is no outlier, however quiet the image is: neither the print nor
-// the lens nor the sampling of a drawn picture is known better (of the pixels of an edge that was sampled four by four
-// times the standard deviation is 0.01, and one in twenty is off by 0.024). With less, an image without noise loses
-// most of its edges.
-constexpr double modelError = 0.01;
+// No pixel is weighed by less than this share of the contrast, however quiet the image is: neither the print nor the
+// lens nor the sampling of a drawn picture is known better (of the pixels of an edge that was sampled four by four
+// times the standard deviation is 0.01, and one in twenty is off by 0.024).
+constexpr double modelError = 0.005;
 // The share of the surround differs by no less than this from direction to direction, and is not known to differ by
 // more.
 constexpr double leastUneven = 0.03;
@@ -47,21 +46,24 @@ constexpr double mostUneven = 0.3;
 // so many of these pixels.
 constexpr float clearSpread = 2.f;
 constexpr double leastClearPixels = 20.;
-// The values of which so many are smaller. Bisections go over all values in their order, which is faster than to order
-// them.
-std::array<float, 2> quantilesOf(const std::vector<Lanes> &values, const std::array<float, 2> &smaller)
+// The values of which so many are smaller, and, of the last one, so much of the steepness. Bisections go over all
+// values in their order, which is faster than to order them.
+std::array<float, 3> quantilesOf(const std::vector<Lanes> &values, const std::vector<Lanes> &steepness,
+                                 const std::array<float, 3> &smaller)
 {
-  std::array<float, 2> low = {leastQuantile, leastQuantile};
-  std::array<float, 2> high = {mostQuantile, mostQuantile};
-  std::array<float, 2> middle = {};
+  std::array<float, 3> low, high, middle;
+  low.fill(leastQuantile);
+  high.fill(mostQuantile);
   for (int k = 0; k < bisections; ++k) {
-    std::array<Lanes, 2> below = {Lanes::Zero(), Lanes::Zero()};
+    std::array<Lanes, 3> below;
     for (std::size_t i = 0; i < middle.size(); ++i) {
+      below[i].setZero();
       middle[i] = std::sqrt(low[i] * high[i]);
     }
-    for (const Lanes &value : values) {
-      below[0] += isPositive(middle[0] - value);
-      below[1] += isPositive(middle[1] - value);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      below[0] += isPositive(middle[0] - values[k]);
+      below[1] += isPositive(middle[1] - values[k]);
+      below[2] += isPositive(middle[2] - values[k]) * steepness[k];
     }
     for (std::size_t i = 0; i < middle.size(); ++i) {
       (below[i].sum() > smaller[i] ? high[i] : low[i]) = middle[i];
@@ -71,27 +73,37 @@ std::array<float, 2> quantilesOf(const std::vector<Lanes> &values, const std::ar
 }
 } // namespace
 
+double leastNoise(const Photometry &photometry)
+{
+  return std::max(modelError * photometry.tellableContrast(), quantisation);
+}
+
 ResidualSpread Likelihood::spreadOfResiduals(const Photometry &photometry)
 {
   std::vector<Lanes> &sizes = m_memory.sizes;
+  std::vector<Lanes> &steepness = m_memory.steepness;
+  steepness.resize(m_memory.residuals.size(), Lanes::Ones()); // where it is not known all count alike
   sizes.clear();
   Lanes count = Lanes::Zero();
+  Lanes steep = Lanes::Zero();
   std::size_t k = 0;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
     // What is as bright as can be tells nothing of the noise.
     const Lanes counts = isPositive(static_cast<float>(quantisation * quantisation) - block.variance) *
                          isPositive(brightest - block.grey);
     count += counts;
+    steep += counts * steepness[k];
     sizes.push_back(m_memory.residuals[k++].abs() + 2.f * mostQuantile * (1.f - counts));
   });
   const float all = count.sum();
   if (all == 0.f) {
-    return {HUGE_VAL, HUGE_VAL};
+    return {HUGE_VAL, HUGE_VAL, HUGE_VAL};
   }
-  const std::array<float, 2> quantiles = quantilesOf(sizes, {0.5f * all, 0.8f * all});
-  const double least = std::max(modelError * photometry.tellableContrast(), quantisation);
+  const std::array<float, 3> quantiles = quantilesOf(sizes, steepness, {0.5f * all, 0.8f * all, 0.5f * steep.sum()});
+  const double least = leastNoise(photometry);
   return {std::max(static_cast<double>(quantiles[0]) * sigmaOfMedian, least),
-          std::max(static_cast<double>(quantiles[1]) * sigmaOfQuantile, least)};
+          std::max(static_cast<double>(quantiles[1]) * sigmaOfQuantile, least),
+          std::max(static_cast<double>(quantiles[2]) * sigmaOfMedian, least)};
 }
 
 double Likelihood::unevenShareOfResiduals(double noise) const

@@ -58,7 +58,8 @@ public:
   // The row of the next block, to be filled in before add().
   RowLanes &row() { return m_rows[m_pending]; }
 
-  void add(const Lanes &residual, const LossLanes &loss, std::size_t direction)
+  // squaredSlope: of the image at each pixel, by which it tells of the pose.
+  void add(const Lanes &residual, const LossLanes &loss, const Lanes &squaredSlope, std::size_t direction)
   {
     if (m_pending == 0 && direction != m_direction) {
       flush();
@@ -73,8 +74,7 @@ public:
     m_pullLanes[costAt] += loss.cost;
     m_pullLanes[squaresAt] += loss.tells * loss.weight * residual.square();
     m_pullLanes[keptAt] += loss.tells * loss.kept;
-    // The square of the slope: a shift of the print in its plane moves all edges.
-    const Lanes steepness = loss.tells * loss.weight * (row[0].square() + row[1].square());
+    const Lanes steepness = loss.tells * loss.weight * squaredSlope;
     m_pullLanes[steepnessAt] += steepness;
     m_pullLanes[squaredSteepnessAt] += steepness.square();
     m_pullLanes[steepSquaresAt] += steepness * loss.weight * residual.square();
