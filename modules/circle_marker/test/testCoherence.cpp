@@ -19,7 +19,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "refine/biweight_moments.h"
 #include "refine/fit_step.h"
 #include "refine/likelihood.h"
 
@@ -199,8 +198,6 @@ TEST(Coherence, TheLastStepIsNoPull)
 {
   Random random = randomOfTest();
   constexpr double noise = 2.;
-  const BiweightMoments moments = biweightMoments(tukey);
-  const double pull = noise * std::sqrt(moments.pull / moments.weight);
   constexpr int count = 20;
   int withStep = 0;
   int withoutStep = 0;
@@ -222,8 +219,8 @@ TEST(Coherence, TheLastStepIsNoPull)
     influence.leftCols(used) =
         Eigen::MatrixXd(equations.matrix.topLeftCorner(used, used)).inverse().topRows<poseSize>();
     const ParameterVector step = solveEquations(equations.matrix, equations.right, used);
-    withStep += likelihood.coherentCovariance(influence, step, pull, used).ratio > 1. ? 1 : 0;
-    withoutStep += likelihood.coherentCovariance(influence, ParameterVector::Zero(), pull, used).ratio > 1. ? 1 : 0;
+    withStep += likelihood.coherentCovariance(influence, step, noise, used).ratio > 1. ? 1 : 0;
+    withoutStep += likelihood.coherentCovariance(influence, ParameterVector::Zero(), noise, used).ratio > 1. ? 1 : 0;
   }
   EXPECT_LE(withStep, 2);
   EXPECT_EQ(withoutStep, count);

@@ -17,7 +17,6 @@
 
 #include <array>
 
-#include "refine/biweight_moments.h"
 #include "testFitTools.h"
 
 using namespace fit_test;
@@ -65,10 +64,8 @@ FitSettings modelSettings()
 }
 } // namespace
 
-// The fit's covariance is that of the bound, over the efficiency of Tukey's biweight: 95 % at its usual constant. In so
-// little noise the priors of gamma, spread and the like say nothing beside the image, and pixels are weighed by more
-// than the noise, by half a hundredth of the contrast, 0.85: what is off by little is no outlier, and the efficiency is
-// more.
+// Tukey's biweight at its usual constant has an efficiency of 95 % in normal noise: its covariance is that of the
+// bound, over 0.95. In so little noise the priors of gamma, spread and the like say nothing beside the image.
 TEST(FitConclusion, CovarianceIsThatOfTheBoundAtTheBiweightsEfficiency)
 {
   Random random = randomOfTest();
@@ -83,13 +80,10 @@ TEST(FitConclusion, CovarianceIsThatOfTheBoundAtTheBiweightsEfficiency)
     const Eigen::Matrix<double, 6, 6> bound = noise * noise * boundOf(made, Light(), BlurParameters());
     ratio += (fit->covariance * bound.inverse()).trace() / (6 * count);
   }
-  const BiweightMoments moments = biweightMoments(tukey * 0.85 / noise);
-  const double efficiency = moments.squares * moments.squares / moments.pull;
-  EXPECT_GT(efficiency, 0.99);
   // By its noise each covariance is known to some 3 %, the mean of 100 to 0.3 %: the fit's own noise variance is that
   // of some 3000 pixels.
   RecordProperty("ratio", std::to_string(ratio));
-  EXPECT_NEAR(ratio, 1. / efficiency, 0.015);
+  EXPECT_NEAR(ratio, 1. / 0.95, 0.015);
 }
 
 // What pixels are off by where edges are, because of how these are drawn or printed, counts by its own variance: twice

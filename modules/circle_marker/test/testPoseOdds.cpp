@@ -51,7 +51,7 @@ TEST(PoseOdds, WhatPullsThePoseApartPrefersOneAsMuch)
 TEST(PoseOdds, EdgesThatAreNoisierThanThePaperSayLess)
 {
   FittedPose noisy = fit(1., 1., true);
-  noisy.steepness = 2.;
+  noisy.edgeNoise = 2.;
   EXPECT_NEAR(coherentOdds(40., noisy, fit(1., 1., true), 2.), 20., 1e-12);
   noisy.coherence = 4.;
   EXPECT_NEAR(coherentOdds(40., noisy, fit(1., 1., true), 2.), 5., 1e-12);

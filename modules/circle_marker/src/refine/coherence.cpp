@@ -34,9 +34,7 @@ constexpr std::size_t leastCount = 8;
 // With fewer parts of it that have pixels than this share, their pulls tell nothing.
 constexpr double leastParts = 0.75;
 // The ratio counts if it is above what independent noise exceeds with the probability of this many standard deviations
-// of a normal distribution: once in 740. (At 2 the covariance of drawn pictures, whose errors run along their edges,
-// was a fifth larger and nearer to the truth, but at 2.5 already that of one print varied by a third with its noise,
-// testCoherence.)
+// of a normal distribution: once in 740.
 constexpr double clearOfChance = 3.;
 
 using PoseColumn = Eigen::Matrix<double, poseSize, 1>;
@@ -93,8 +91,8 @@ struct Excess
   PoseMatrix covariance = PoseMatrix::Zero(); // the parts' covariance of the pose, with noise of variance 1
 };
 
-// The first parts, so many; fitted: number of the pose's parameters that are fitted; pull: see likelihood.h.
-Excess excessOf(const Parts &parts, std::size_t count, int fitted, double pull)
+// The first parts, so many; fitted: number of the pose's parameters that are fitted.
+Excess excessOf(const Parts &parts, std::size_t count, int fitted, double noise)
 {
   PoseMatrix moved = PoseMatrix::Zero();
   double squaredShares = 0.;
@@ -110,7 +108,7 @@ Excess excessOf(const Parts &parts, std::size_t count, int fitted, double pull)
   }
   // The motions' sum is 0 after the fit, which takes a little away; the share of each part in what is known tells how
   // much that is, and how much the ratio varies by chance.
-  const PoseMatrix covariance = moved / (pull * pull * (1. - squaredShares));
+  const PoseMatrix covariance = moved / (pullOfNoise * noise * noise * (1. - squaredShares));
   const double ratio = covariance.trace() / fitted;
   // By chance it is distributed as chi^2 / n, whose variance is 2 / n; its quantile by Wilson and Hilferty (Proceedings
   // of the National Academy of Sciences 17, 1931).
@@ -139,7 +137,7 @@ PoseMatrix widened(const PoseMatrix &root, const Excess &excess)
 } // namespace
 
 CoherentCovariance Likelihood::coherentCovariance(const PoseInfluence &influence, const ParameterVector &step,
-                                                  double pull, int used) const
+                                                  double noise, int used) const
 {
   CoherentCovariance coherent = {influence.leftCols<poseSize>(), 1.};
   const int fitted = m_settings.spinIsKnown ? poseSize : spinAt;
@@ -157,11 +155,11 @@ CoherentCovariance Likelihood::coherentCovariance(const PoseInfluence &influence
     parts[k] = partOf(m_memory.sums.products[k], m_memory.sums.pulls[k], even, step, used);
   }
   std::size_t count = directions;
-  Excess largest = excessOf(parts, count, fitted, pull);
+  Excess largest = excessOf(parts, count, fitted, noise);
   while (count > leastCount) {
     takeTogether(parts, count);
     count /= 2;
-    const Excess excess = excessOf(parts, count, fitted, pull);
+    const Excess excess = excessOf(parts, count, fitted, noise);
     largest = excess.ratio > largest.ratio ? excess : largest;
   }
   coherent.ratio = largest.ratio;

@@ -29,6 +29,17 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 /*!
+  Whether edges are asked for noise of their own: in final fits. Where several pixels share their noise, the picture was
+  smoothed, enlarged or made of a mosaic of colours, which makes less noise of flat paper than of edges; what that means
+  for the pose is in the sharing.
+*/
+inline bool mayHaveNoisyEdges(const FitSettings &settings)
+{
+  constexpr double mostSharing = 1.5; // pixels
+  return settings.exactBends && settings.noise.sharing <= mostSharing;
+}
+
+/*!
   Noise, covariance and how well the image is explained, from the last equations of a fit.
   \param fit : The likelihood, with the residuals kept that the equations are of.
   \param equations : The last that were kept.

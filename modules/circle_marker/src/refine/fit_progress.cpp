@@ -49,11 +49,11 @@ NoiseDescent::NoiseDescent(bool isKnown, bool isQuick)
 {
 }
 
-double NoiseDescent::next(Likelihood &fit, const Photometry &photometry)
+double NoiseDescent::next(Likelihood &fit)
 {
   --m_updates;
   m_excess = m_excess > m_leastExcess ? m_excess * excessDecay : 0.;
-  const ResidualSpread spread = fit.spreadOfResiduals(photometry);
+  const ResidualSpread spread = fit.spreadOfResiduals();
   return std::max(spread.median, m_excess * spread.wide);
 }
 

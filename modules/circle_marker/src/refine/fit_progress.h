@@ -50,8 +50,8 @@ public:
   /*! Whether it stays what it is. */
   bool isOver() const { return m_updates == 0; }
 
-  /*! The noise after a step to this light, grey levels. */
-  double next(Likelihood &fit, const Photometry &photometry);
+  /*! The noise after a step, grey levels. */
+  double next(Likelihood &fit);
 
 private:
   double m_excess;      //!< Share of the wide residuals that the noise is held at.

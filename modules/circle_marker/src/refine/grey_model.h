@@ -35,6 +35,8 @@ namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 // Tukey's constant for 95 % efficiency with normal noise.
 constexpr double tukey = 4.685;
+// With normal noise, mean of (w r)^2 over that of w for the biweight's weights w.
+constexpr double pullOfNoise = 0.6605;
 
 // Weight and loss of a residual.
 struct LossLanes

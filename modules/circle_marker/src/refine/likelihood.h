@@ -62,9 +62,6 @@ struct ResidualSpread
   double steep = 0.;  //!< Of the median where pixels count by the squared slope of the image: of the edges alone.
 };
 
-/*! What any model of edges leaves, standard deviation, grey levels: pixels are weighed by no less. */
-double leastNoise(const Photometry &photometry);
-
 /*! How well a model explains the image. */
 struct Explanation
 {
@@ -130,20 +127,17 @@ public:
     bent, moved or lit in a way that the model does not know.
     \param influence : By the equations kept.
     \param step : Last step from where these were made.
-    \param pull : Root of the expected mean square of a residual with its weight, over that of the weight, grey levels.
+    \param noise : Grey levels.
     \param used : Number of parameters, the first ones, that any pixel depends on.
   */
-  CoherentCovariance coherentCovariance(const PoseInfluence &influence, const ParameterVector &step, double pull,
+  CoherentCovariance coherentCovariance(const PoseInfluence &influence, const ParameterVector &step, double noise,
                                         int used) const;
 
   /*! The residuals at a pose, without equations. */
   void evaluate(const MarkerPlane &plane, const Photometry &photometry);
 
-  /*!
-    Spread of the residuals kept that see no surround, no less than what any model of edges leaves; HUGE_VAL if there
-    are none.
-  */
-  ResidualSpread spreadOfResiduals(const Photometry &photometry);
+  /*! Spread of the residuals kept that see no surround; HUGE_VAL if there are none. */
+  ResidualSpread spreadOfResiduals();
 
   /*! How much the share of the surround differs from direction to direction, by the residuals kept. */
   double unevenShareOfResiduals(double noise) const;

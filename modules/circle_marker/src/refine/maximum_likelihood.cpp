@@ -98,11 +98,11 @@ public:
     }
     m_preparation.prepare(m_result.plane, m_result.photometry, start.noise.value_or(0.));
     if (start.noise) {
-      m_noise = std::max(*start.noise, leastNoise(m_result.photometry));
+      m_noise = *start.noise;
     }
     else {
       m_likelihood.evaluate(m_result.plane, m_result.photometry);
-      m_noise = m_likelihood.spreadOfResiduals(m_result.photometry).wide;
+      m_noise = m_likelihood.spreadOfResiduals().wide;
     }
     if (!std::isfinite(m_noise)) {
       return false;
@@ -127,7 +127,7 @@ public:
         return FitState::ENDED;
       }
       if (!m_descent.isOver()) {
-        m_noise = m_descent.next(m_likelihood, m_result.photometry);
+        m_noise = m_descent.next(m_likelihood);
         m_equations.cost = m_likelihood.costOfResiduals(trial->plane, trial->photometry, m_noise);
       }
       return FitState::GOES_ON;
@@ -220,8 +220,8 @@ private:
     m_result.photometry = trial.photometry;
     m_result.photometry.unevenShare = m_likelihood.unevenShareOfResiduals(m_noise);
     const bool isRough = m_preparation.isRough(m_result.plane, m_result.photometry);
-    const ResidualSpread spread = m_likelihood.spreadOfResiduals(m_result.photometry);
-    const double noise = m_settings.exactBends ? std::max(spread.median, spread.steep) : spread.median;
+    const ResidualSpread spread = m_likelihood.spreadOfResiduals();
+    const double noise = mayHaveNoisyEdges(m_settings) ? std::max(spread.median, spread.steep) : spread.median;
     // Too large: steps are longer than they seemed, and outliers count too much. Too small: edges, which are drawn or
     // printed less well than the paper is even, are outliers.
     const bool isRaised = noise * overestimated > m_noise && !m_isRaised;

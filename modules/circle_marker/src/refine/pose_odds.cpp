@@ -45,16 +45,16 @@ double unrefinedOdds(double odds, const FittedPose &first, double noise)
 
 double coherentOdds(double odds, const FittedPose &first, const FittedPose &second, double noise)
 {
-  const double ofSteep = odds / first.steepness;
+  const double ofEdges = odds / first.edgeNoise;
   if (first.coherence <= 1.) {
-    return ofSteep;
+    return ofEdges;
   }
   double behind = 0.; // grey levels^2
   for (const FittedPose *fit : {&first, &second}) {
     behind += !fit->isSettled && fit->decrement > 0. ? fit->decrement : 0.;
   }
-  return loweredBy(costOf(behind, noise, first.sharing) / (first.coherence * first.steepness),
-                   ofSteep / first.coherence);
+  return loweredBy(costOf(behind, noise, first.sharing) / (first.coherence * first.edgeNoise),
+                   ofEdges / first.coherence);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -42,7 +42,7 @@ double unrefinedOdds(double odds, const FittedPose &first, double noise);
 
 /*!
   Log-odds by what a fit leaves of the image. Where that is steep, and tells the poses from each other, the pixels may
-  be less or more noisy than elsewhere, by FittedPose::steepness. And where the model lacks something of the image, what
+  be less or more noisy than elsewhere, by FittedPose::edgeNoise. And where the model lacks something of the image, what
   neighbouring pixels leave together pulls the pose apart more than noise does, by the better fit's coherence, and
   prefers one of the two poses as much more. So the log-odds are divided by both, as those of overdispersed counts are
   (quasi-likelihood: McCullagh and Nelder, Generalized Linear Models, 1989, chapter 9). Of fits that an incoherent image

@@ -34,10 +34,6 @@ constexpr double sigmaOfQuantile = 0.7803;
 constexpr float leastQuantile = 0.15f;
 constexpr float mostQuantile = 512.f;
 constexpr int bisections = 13;
-// No pixel is weighed by less than this share of the contrast, however quiet the image is: neither the print nor the
-// lens nor the sampling of a drawn picture is known better (of the pixels of an edge that was sampled four by four
-// times the standard deviation is 0.01, and one in twenty is off by 0.024).
-constexpr double modelError = 0.005;
 // The share of the surround differs by no less than this from direction to direction, and is not known to differ by
 // more.
 constexpr double leastUneven = 0.03;
@@ -60,10 +56,10 @@ std::array<float, 3> quantilesOf(const std::vector<Lanes> &values, const std::ve
       below[i].setZero();
       middle[i] = std::sqrt(low[i] * high[i]);
     }
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      below[0] += isPositive(middle[0] - values[k]);
-      below[1] += isPositive(middle[1] - values[k]);
-      below[2] += isPositive(middle[2] - values[k]) * steepness[k];
+    for (std::size_t at = 0; at < values.size(); ++at) {
+      below[0] += isPositive(middle[0] - values[at]);
+      below[1] += isPositive(middle[1] - values[at]);
+      below[2] += isPositive(middle[2] - values[at]) * steepness[at];
     }
     for (std::size_t i = 0; i < middle.size(); ++i) {
       (below[i].sum() > smaller[i] ? high[i] : low[i]) = middle[i];
@@ -73,12 +69,7 @@ std::array<float, 3> quantilesOf(const std::vector<Lanes> &values, const std::ve
 }
 } // namespace
 
-double leastNoise(const Photometry &photometry)
-{
-  return std::max(modelError * photometry.tellableContrast(), quantisation);
-}
-
-ResidualSpread Likelihood::spreadOfResiduals(const Photometry &photometry)
+ResidualSpread Likelihood::spreadOfResiduals()
 {
   std::vector<Lanes> &sizes = m_memory.sizes;
   std::vector<Lanes> &steepness = m_memory.steepness;
@@ -100,10 +91,9 @@ ResidualSpread Likelihood::spreadOfResiduals(const Photometry &photometry)
     return {HUGE_VAL, HUGE_VAL, HUGE_VAL};
   }
   const std::array<float, 3> quantiles = quantilesOf(sizes, steepness, {0.5f * all, 0.8f * all, 0.5f * steep.sum()});
-  const double least = leastNoise(photometry);
-  return {std::max(static_cast<double>(quantiles[0]) * sigmaOfMedian, least),
-          std::max(static_cast<double>(quantiles[1]) * sigmaOfQuantile, least),
-          std::max(static_cast<double>(quantiles[2]) * sigmaOfMedian, least)};
+  return {std::max(static_cast<double>(quantiles[0]) * sigmaOfMedian, quantisation),
+          std::max(static_cast<double>(quantiles[1]) * sigmaOfQuantile, quantisation),
+          std::max(static_cast<double>(quantiles[2]) * sigmaOfMedian, quantisation)};
 }
 
 double Likelihood::unevenShareOfResiduals(double noise) const
