@@ -20,11 +20,13 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpImage.h>
+#include <visp3/core/vpImageConvert.h>
 #include <visp3/io/vpImageIo.h>
 
 #include "create_program.h"
@@ -81,6 +83,33 @@ TEST(CircleMarkerCreate, PrintedMarkersAreDetected)
     EXPECT_NEAR(0, std::atan2(poses[i][1][0], poses[i][0][0]), 5e-3);
   }
   EXPECT_EQ(lines.size(), ids.size());
+}
+
+// A picture without noise or blur, as it was drawn: what edges are off by is nothing that covers the marker. The most
+// edges have the codes whose sectors are black and white in turn.
+TEST(CircleMarkerCreate, DrawnMarkersAreDetectedAsTheyAre)
+{
+  const std::filesystem::path folder = emptyFolder();
+  vpDetectorCircleMarker detector(vpCircleMarkerFamily::BCH31);
+  for (int id = 2107; id <= 2112; ++id) {
+    for (const char *dotsPerInch : {"96", "150"}) {
+      linesOf(create({"--family", "bch31", "--id", std::to_string(id), "--size", "0.05", "--sheet", "none", "--dpi",
+                      dotsPerInch, "--output", "marker.png"},
+                     folder));
+      const cv::Mat drawn = cv::imread((folder / "marker.png").string(), cv::IMREAD_GRAYSCALE);
+      constexpr int around = 20; // pixels of grey
+      cv::Mat padded;
+      cv::copyMakeBorder(drawn, padded, around, around, around, around, cv::BORDER_CONSTANT, cv::Scalar(128));
+      vpImage<unsigned char> I;
+      vpImageConvert::convert(padded, I);
+      vpCameraParameters cam;
+      cam.initPersProjWithoutDistortion(800., 800., (I.getWidth() - 1.) / 2., (I.getHeight() - 1.) / 2.);
+      std::vector<vpHomogeneousMatrix> poses;
+      detector.detect(I, 0.05, cam, poses);
+      ASSERT_EQ(1u, detector.getNbObjects()) << id << ", " << dotsPerInch << " dots an inch";
+      EXPECT_EQ(id, detector.getDetections()[0].id);
+    }
+  }
 }
 
 // White on black: the square of the same marker with black and white exchanged, on a page that is white.

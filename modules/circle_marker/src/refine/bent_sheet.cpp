@@ -21,6 +21,7 @@
 #include <cmath>
 
 #include "refine/fit_starts.h"
+#include "refine/pose_odds.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -80,7 +81,7 @@ RankedFits fitBent(const std::vector<FitPixel> &pixels, const RankedFits &fits, 
     return flat; // the rival's start was bent, and there is nothing to compare with
   }
   const FittedPose &best = ranked.fits[0];
-  const double gain = (last->squares - best.squares) / (2. * ranked.noise * ranked.noise);
+  const double gain = costOf(last->squares - best.squares, ranked.noise, best.sharing) / best.edgeNoise;
   const bool isCoherent = best.coherence > std::max(mostCoherence * rival.coherence, 1.);
   if (gain < leastGain || isCoherent || !isPaper(best.plane.bend)) {
     return flat;

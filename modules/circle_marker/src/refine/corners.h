@@ -17,7 +17,8 @@
 
 /*!
   \file corners.h
-  \brief What blocks of pixels see of corners, where a border between sectors meets a rim of the track.
+  \brief What pixels, one by one or in blocks, see of corners: where a border between sectors meets a rim of the track,
+  and those of a square sheet.
 */
 
 #ifndef VP_CIRCLE_MARKER_CORNERS_H

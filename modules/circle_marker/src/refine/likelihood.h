@@ -145,8 +145,12 @@ public:
   /*! Cost of the residuals kept at a noise. */
   double costOfResiduals(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
 
-  /*! How well the residuals kept leave the image explained. */
-  Explanation explain(double noise) const;
+  /*!
+    How well the residuals kept leave the image explained.
+    \param noise : By which the pixels are weighed, grey levels.
+    \param slack : What is off by no more is explained, too, grey levels.
+  */
+  Explanation explain(double noise, double slack) const;
 
 private:
   Equations pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts);

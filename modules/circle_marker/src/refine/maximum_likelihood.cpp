@@ -224,7 +224,7 @@ private:
     const double noise = mayHaveNoisyEdges(m_settings) ? std::max(spread.median, spread.steep) : spread.median;
     // Too large: steps are longer than they seemed, and outliers count too much. Too small: edges, which are drawn or
     // printed less well than the paper is even, are outliers.
-    const bool isRaised = noise * overestimated > m_noise && !m_isRaised;
+    const bool isRaised = std::isfinite(noise) && noise * overestimated > m_noise && !m_isRaised;
     if (!isRough && (noise < overestimated * m_noise || isRaised)) {
       m_isRaised = m_isRaised || isRaised;
       m_noise = noise;

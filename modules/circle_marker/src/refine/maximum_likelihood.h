@@ -25,8 +25,11 @@
   linear gradient, a the share of it that ink takes and \f$ \gamma \f$ the camera's gamma; where the edge of a shadow
   falls on the marker, s falls along it. Pose, light, ink, gamma, blur, a spread of the ink common to all edges and,
   where it is asked for, the bend of the sheet are fitted together by Levenberg-Marquardt; what the model does not
-  explain, such as an occluder, gets no weight (Tukey's biweight). The noise is taken from the residuals, so that the
-  covariance is right for any camera: \f$ \Sigma = s^2 (J^T W J)^{-1} \f$, its rows and columns of the pose.
+  explain, such as an occluder, gets no weight (Tukey's biweight). Near the end of the paper a pixel sees a share of
+  what lies beyond, too: that share moves with the pose, and how the paper is cut is fitted (surround_model.h). The
+  noise is taken from the residuals, so that the covariance is right for any camera: \f$ \Sigma = s^2 (J^T W J)^{-1}
+  \f$, its rows and columns of the pose, times what fit_conclusion.h knows of pixels that share their noise, of edges
+  that are noisier than paper and of parts of the print that pull the pose apart.
 */
 
 #ifndef VP_CIRCLE_MARKER_MAXIMUM_LIKELIHOOD_H
