@@ -75,6 +75,7 @@ void setCode(const PlacedCode &code, const Measurement &measurement, Recognition
   marker.code.id = code.id;
   marker.code.spin = code.spin;
   marker.code.hamming = 0; // no sector was read one by one, so none was corrected
+  marker.isCertain = false;
   startAt(measurement, marker);
   for (MarkerPlane &pose : marker.poses) {
     pose.spin(code.spin);
@@ -198,7 +199,6 @@ public:
           return std::nullopt;
         }
         setCode(code->best, *measurement, marker);
-        marker.isCertain = false;
         continue;
       }
       const FittedPose &fit = measurement->first;

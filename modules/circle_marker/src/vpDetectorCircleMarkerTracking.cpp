@@ -217,8 +217,10 @@ void vpDetectorCircleMarker::Impl::forgetTracks()
   these places, which takes a fraction of the time. The whole image is searched while there is no marker, when one is
   lost, and every \e fullSearchPeriod images, so that new ones are found. A lost one is looked for where it was for 30
   images more, as long as there are others. What is found of a marker is what a search of
-  the whole image finds of it. A search of the whole image that a timeout cuts short does not count: one of the next
-  two is whole again, and markers that were not reached are not forgotten.
+  the whole image finds of it, as long as the image's noise is that of the last one: it is told where the whole is
+  searched, and covariance and log-odds know by it how many pixels share their noise. A search of the whole image that a
+  timeout cuts short does not count: one of the next two is whole again, and markers that were not reached are not
+  forgotten.
 
   The images must be those of one camera in their order.
 

@@ -79,6 +79,24 @@ TEST(CircleFromConic, NearlyAlongTheAxis)
   }
 }
 
+// Large circles near a wide lens, all of them in front of the camera.
+TEST(CircleFromConic, OfMostOfTheView)
+{
+  std::mt19937_64 random = randomOfTest();
+  int wide = 0;
+  for (int i = 0; i < 20000; i++) {
+    const View view = randomView(random, radius, 0.01, 0.2, uniform(random, 1., 80.) * M_PI / 180.);
+    const auto circles = circlesFromConic(view.exactConic().cast<double>(), radius);
+    ASSERT_TRUE(circles) << "tilt " << view.tilt() << " depth " << view.depth();
+    const Errors errors = errorsOfBetter(view, *circles);
+    ASSERT_LT(errors.center, 1e-9) << "tilt " << view.tilt() << " depth " << view.depth();
+    ASSERT_LT(errors.normal, 1e-9) << "tilt " << view.tilt() << " depth " << view.depth();
+    wide += view.nearest() < 0.3 * radius ? 1 : 0;
+  }
+  RecordProperty("wide", wide);
+  EXPECT_GT(wide, 1000);
+}
+
 TEST(CircleFromConic, CentredFormIsExactForTinyCircles)
 {
   std::mt19937_64 random = randomOfTest();

@@ -82,11 +82,16 @@ Block product(const Block &a, const Block &b)
 
 } // namespace
 
-void loseToJpeg(int quality, vpImage<unsigned char> &I)
+void checkJpegQuality(int quality)
 {
   if (quality < 1 || quality > 100) {
     throw vpException(vpException::badValue, "a JPEG quality is from 1 to 100, not %d", quality);
   }
+}
+
+void loseToJpeg(int quality, vpImage<unsigned char> &I)
+{
+  checkJpegQuality(quality);
   const Block steps = quantisationSteps(quality);
   const Block forward = cosines();
   const Block backward = transposed(forward);

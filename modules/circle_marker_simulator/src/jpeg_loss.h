@@ -25,6 +25,9 @@
 BEGIN_VISP_NAMESPACE
 namespace marker_simulator {
 
+/*! Throws vpException::badValue unless a quality is from 1 to 100. */
+void checkJpegQuality(int quality);
+
 /*!
   Replaces an image by what is left of it after baseline JPEG compression (ITU-T T.81) at a quality of 1 to 100.
 

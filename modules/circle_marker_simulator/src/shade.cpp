@@ -28,6 +28,9 @@ namespace {
 // Beyond this many standard deviations a shadow's edge is over (1e-9), and of a sum of sharp ones (1e-6).
 constexpr double PENUMBRA_REACH = 6.;
 constexpr double SUM_REACH = 5.;
+// Nodes over the disc of a defocus for each standard deviation of the edge in its radius, at least: the sum is right to
+// 1e-6.
+constexpr double NODES_PER_SOFTNESS = 8.;
 // Far beyond any image, in pixels.
 constexpr double FAR_AWAY = 1e5;
 // So that no edge of a layer lies on it, in pixels.
@@ -74,15 +77,31 @@ std::vector<SharpShadow> sharpShadows(const vpSceneShadow &shadow, double blur)
   return shadows;
 }
 
-void castShadow(const vpSceneShadow &shadow, double blur, vpImage<float> &I)
+void castShadow(const vpSceneShadow &shadow, double blur, double defocusRadius, vpImage<float> &I)
 {
   const double softness = std::hypot(shadow.penumbra, blur);
+  const auto softAt = [softness](double d) {
+    const double z = d / softness;
+    return z <= -PENUMBRA_REACH ? 0. : z >= PENUMBRA_REACH ? 1. : 0.5 * std::erfc(-z / M_SQRT2);
+  };
+  // The mean over the disc of a defocus: across the edge that is as dense as its chords are long, for which the
+  // quadrature of Gauss and Chebyshev is made. Nodes closer than half the softness: the integrand is an error function.
+  const int nodes = defocusRadius > 0. ? static_cast<int>(std::ceil(NODES_PER_SOFTNESS * defocusRadius / softness)) : 0;
+  const auto darkAt = [&](double d) {
+    if (nodes == 0 || std::abs(d) > defocusRadius + PENUMBRA_REACH * softness) {
+      return softAt(d);
+    }
+    double sum = 0.;
+    for (int k = 1; k <= nodes; ++k) {
+      const double angle = M_PI * k / (nodes + 1.);
+      sum += 2. / (nodes + 1.) * std::pow(std::sin(angle), 2.) * softAt(d - defocusRadius * std::cos(angle));
+    }
+    return sum;
+  };
   const auto leftAt = [&](double u, double v) {
     const double d =
         (u - shadow.edge.get_u()) * std::cos(shadow.direction) + (v - shadow.edge.get_v()) * std::sin(shadow.direction);
-    const double z = d / softness;
-    const double dark = z <= -PENUMBRA_REACH ? 0. : z >= PENUMBRA_REACH ? 1. : 0.5 * std::erfc(-z / M_SQRT2);
-    return 1. - (1. - shadow.factor) * dark;
+    return 1. - (1. - shadow.factor) * darkAt(d);
   };
   for (unsigned int i = 0; i < I.getHeight(); ++i) {
     for (unsigned int j = 0; j < I.getWidth(); ++j) {

@@ -46,8 +46,15 @@ struct SharpShadow
 */
 std::vector<SharpShadow> sharpShadows(const vpSceneShadow &shadow, double blur);
 
-//! Multiplies each pixel of a background that is even but for the shadow with what a pixel sees of that.
-void castShadow(const vpSceneShadow &shadow, double blur, vpImage<float> &I);
+/*!
+  Multiplies each pixel of a background that is even but for the shadow with what a pixel sees of that.
+
+  \param shadow : the shadow.
+  \param blur : standard deviation of lens blur and pixel together, in pixels.
+  \param defocusRadius : of the disc that blurs the image as well, in pixels; 0: none.
+  \param I : the background.
+*/
+void castShadow(const vpSceneShadow &shadow, double blur, double defocusRadius, vpImage<float> &I);
 
 } // namespace marker_simulator
 END_VISP_NAMESPACE

@@ -118,6 +118,7 @@ void vpMarkerSceneSimulator::setPhotometry(const vpScenePhotometry &photometry)
                       "gamma must be positive",
                       photometry.noiseSigma, photometry.gamma);
   }
+  checkJpegQuality(photometry.jpegQuality.value_or(100));
   m_response = std::make_shared<const PixelResponse>(photometry.blurSigma, photometry.defocusRadius);
   m_photometry = photometry;
   drawBackground();
@@ -227,7 +228,7 @@ void vpMarkerSceneSimulator::renderNoiseFree(vpImage<float> &I) const
   const double blur = std::hypot(m_photometry.blurSigma, PIXEL_BLUR);
   std::vector<SharpShadow> shadows;
   if (shadow && !isWide) {
-    castShadow(*shadow, blur, I);
+    castShadow(*shadow, blur, m_photometry.defocusRadius, I);
     shadows = sharpShadows(*shadow, blur);
   }
   const int steps = motionSteps(m_motion, m_markers, lens);
@@ -249,7 +250,7 @@ void vpMarkerSceneSimulator::renderNoiseFree(vpImage<float> &I) const
     }
   }
   if (isWide) {
-    castShadow(*shadow, blur, I);
+    castShadow(*shadow, blur, m_photometry.defocusRadius, I);
   }
   illuminate(m_photometry, I);
   if (m_photometry.reflection) {

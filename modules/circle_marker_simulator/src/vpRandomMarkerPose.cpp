@@ -87,7 +87,9 @@ vpHomogeneousMatrix vpRandomMarkerPose(const vpSimulatedMarker &marker, const vp
                                        unsigned int width, unsigned int height, const vpRandomPoseRange &range,
                                        std::uint64_t seed)
 {
-  if (!(range.minDepth > 0. && range.minDepth <= range.maxDepth) || !(range.maxTilt >= 0. && range.maxTilt < M_PI)) {
+  constexpr double mostTilt = 0.5 * M_PI * (1. + 1e-12); // 90 degrees, however these are rounded
+  if (!(range.minDepth > 0. && range.minDepth <= range.maxDepth) ||
+      !(range.maxTilt >= 0. && range.maxTilt <= mostTilt)) {
     throw vpException(vpException::badValue, "depths from %g m to %g m with tilts to %g rad are no range to draw from",
                       range.minDepth, range.maxDepth, range.maxTilt);
   }

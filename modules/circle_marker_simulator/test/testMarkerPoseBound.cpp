@@ -101,6 +101,42 @@ TEST(MarkerPoseBound, SeparationAgreesWithThePublishedFigures)
   EXPECT_NEAR(limit.separation(at(coded(), 20., 30.)).separation, 4.3, 0.5);
 }
 
+// A blur that is next to none tells the poses apart as well as none at all.
+TEST(MarkerPoseBound, SeparationWithoutBlur)
+{
+  const auto ring = vpSimulatedMarker::ring(0.2, 0.7);
+  vpScenePhotometry photometry;
+  photometry.blurSigma = 0.;
+  const vpMarkerPoseBound sharp(cam, photometry);
+  photometry.blurSigma = 0.06;
+  const vpMarkerPoseBound nearlySharp(cam, photometry);
+  for (const double z : {10., 20.}) {
+    const double expected = nearlySharp.separation(at(ring, z, 30.)).separation;
+    EXPECT_NEAR(sharp.separation(at(ring, z, 30.)).separation / expected, 1., 0.2) << z;
+  }
+}
+
+// The corners of a square are seen, too: the same print in the middle of a larger white picture has the same bound.
+TEST(MarkerPoseBound, CornersOfASquareCount)
+{
+  const vpMarkerPoseBound limit(cam);
+  vpImage<unsigned char> square(8, 8, 0);
+  vpImage<unsigned char> onWhite(16, 16, 255);
+  for (unsigned int i = 0; i < 8; ++i) {
+    for (unsigned int j = 0; j < 8; ++j) {
+      square[i][j] = (i + j) % 3 == 0 ? 255 : 0;
+      onWhite[i + 4][j + 4] = square[i][j];
+    }
+  }
+  const auto figuresOf = [&](const vpImage<unsigned char> &picture, double size) {
+    return limit.bound(at(vpSimulatedMarker::bitmap(picture, size, size), 2., 30., 0., 0.25 * M_PI));
+  };
+  const auto alone = figuresOf(square, 0.2);
+  const auto inWhite = figuresOf(onWhite, 0.4);
+  EXPECT_NEAR(alone.z / inWhite.z, 1., 0.03);
+  EXPECT_NEAR(alone.normal / inWhite.normal, 1., 0.03);
+}
+
 // Noise moves the difference of both poses' squares over noise^2 by a normal variable of twice the separation; the
 // right pose has the separation squared less in the mean: it is beaten where a standard normal variable exceeds half
 // the separation.

@@ -111,6 +111,9 @@ TEST(RandomMarkerPose, AnImpossibleRangeThrows)
   vpRandomPoseRange range;
   range.maxDepth = 0.1;
   EXPECT_THROW(vpRandomMarkerPose(vpSimulatedMarker::disc(0.18), cam, 1280, 960, range, 0), vpException);
+  vpRandomPoseRange fromBehind;
+  fromBehind.maxTilt = 1.6;
+  EXPECT_THROW(vpRandomMarkerPose(vpSimulatedMarker::disc(0.18), cam, 1280, 960, fromBehind, 0), vpException);
   range.minDepth = 0.09; // the sheet is wider than the image at every depth
   EXPECT_THROW(vpRandomMarkerPose(vpSimulatedMarker::disc(0.18), cam, 1280, 960, range, 0), vpException);
 }

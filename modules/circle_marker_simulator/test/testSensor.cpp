@@ -95,6 +95,33 @@ TEST(Sensor, WideShadowsMultiplyPixels)
   EXPECT_NO_THROW(image(1e6));
 }
 
+// A defocus blurs the shadow behind a sheet as that on it: else what lies behind would show through.
+TEST(Sensor, ShadowsOutOfFocusAreTheSameOnSheetAndBackground)
+{
+  for (const double radius : {0., 3., 8.}) {
+    const auto image = [radius](double background) {
+      vpMarkerSceneSimulator simulator(pinhole(160, 120, 400.), 160, 120);
+      vpScenePhotometry photometry = idealSensor();
+      photometry.blurSigma = 0.7;
+      photometry.defocusRadius = radius;
+      photometry.shadow = vpSceneShadow{vpImagePoint(60., 83.), 0.4, 0.4, 1.};
+      simulator.setPhotometry(photometry);
+      simulator.setBackground(vpSceneBackground::plain(background));
+      simulator.addMarker(vpSimulatedMarker::circle("bch31", 7, 0.18).setPose(tiltedPose(0., 0., 1., 0., 0., 0.)));
+      return noiseFree(simulator);
+    };
+    const vpImage<float> onBlack = image(0.);
+    const vpImage<float> onGrey = image(200.);
+    double worst = 0.;
+    for (unsigned int i = 45; i < 75; ++i) { // well inside of the sheet
+      for (unsigned int j = 60; j < 100; ++j) {
+        worst = std::max(worst, std::fabs(static_cast<double>(onBlack[i][j]) - onGrey[i][j]));
+      }
+    }
+    EXPECT_LT(worst, 0.1) << "radius " << radius;
+  }
+}
+
 TEST(Sensor, ReflectionAddsToLightAndDark)
 {
   vpScenePhotometry photometry = idealSensor();
@@ -288,6 +315,16 @@ TEST(Sensor, MotionBlurOfAnEdgeIsARamp)
       mean += 220. - 190. * 0.5 * std::erfc(-(x - moved) / (0.7 * M_SQRT2));
     }
     EXPECT_NEAR(I[30][j], mean / n, 0.1) << "column " << j;
+  }
+}
+
+TEST(Sensor, JpegQualitiesThatAreNoneAreRefusedWhereTheyAreSet)
+{
+  vpMarkerSceneSimulator simulator(pinhole(20, 20, 300.), 20, 20);
+  vpScenePhotometry photometry;
+  for (const int quality : {0, 101}) {
+    photometry.jpegQuality = quality;
+    EXPECT_THROW(simulator.setPhotometry(photometry), vpException) << quality;
   }
 }
 

@@ -21,6 +21,7 @@
 #include <limits>
 #include <utility>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -37,8 +38,10 @@ double coneForm(const CenteredEllipse &ellipse, const Eigen::Vector3d &d, const 
 
 /*!
   Eigenvector of the cone's negative eigenvalue, the axis of the cone, and that eigenvalue. In a basis (E, d) with d the
-  line of sight to the ellipse's centre the cone is [A', b; b^T, q], and the eigenvalue is the root below q of
-  f(l) = q - l - b^T (A' - l I)^-1 b, which is concave and decreasing there: Newton from q converges monotonically.
+  line of sight to the ellipse's centre the cone is [A', b; b^T, q], and the eigenvalue is the root of
+  f(l) = q - l - b^T (A' - l I)^-1 b below q and below the eigenvalues of A'. There f is concave and decreasing: Newton
+  from q converges monotonically. Where q is not below them, which takes a circle of some 110 degrees and more, no
+  digits are lost by the eigenvalues of the whole matrix.
 */
 std::optional<Eigen::Vector3d> coneAxis(const CenteredEllipse &ellipse, double &eigenvalue)
 {
@@ -53,6 +56,18 @@ std::optional<Eigen::Vector3d> coneAxis(const CenteredEllipse &ellipse, double &
   const double q = ellipse.offset * sight.z() * sight.z();
   const Eigen::Vector2d b = ellipse.offset * sight.z() * Eigen::Vector2d(e1.z(), e2.z());
 
+  const double least = 0.5 * (A.trace() - std::hypot(A(0, 0) - A(1, 1), 2. * A(0, 1))); // eigenvalue of A'
+  if (q >= least) {
+    Eigen::Matrix3d cone;
+    cone << A, b, b.transpose(), q;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(cone);
+    if (eigen.info() != Eigen::Success) {
+      return std::nullopt;
+    }
+    eigenvalue = eigen.eigenvalues()[0];
+    const Eigen::Vector3d v = std::copysign(1., eigen.eigenvectors()(2, 0)) * eigen.eigenvectors().col(0);
+    return e1 * v[0] + e2 * v[1] + sight * v[2];
+  }
   eigenvalue = q;
   Eigen::Vector2d x = Eigen::Vector2d::Zero();
   const int maximumIterations =

@@ -74,10 +74,11 @@ double noiseAtEdges(const Equations &equations, double noise)
   return (expectedPixels + ratio * pixels) / (expectedPixels + freedom);
 }
 
-// What a pixel is off by though it shows what the model says, share of the contrast: in a picture that was drawn
-// without noise those at edges are outliers by a grey level or two, as no drawn edge has the model's blur. (Of bch31's
-// densest codes, as circle-marker-create draws them, a third of the pixels were, and they were taken for covered.)
-constexpr double mostLacking = 0.03;
+// Standard deviation of what the model may lack without leaving anything out, share of the contrast. In a picture that
+// was drawn without noise the pixels at edges are outliers by a grey level or two, as no drawn edge has the model's
+// blur. (Of bch31's densest codes, as circle-marker-create draws them, a third of the pixels were, and they were taken
+// for covered.) As far as the biweight goes this is 3 % of the contrast.
+constexpr double mayLack = 0.0064;
 
 // The biweight's mean is 0.915 with normal noise, and the equations' information with it; its efficiency is 0.95.
 constexpr double biweightCovariance = 0.915 / 0.95;
@@ -101,7 +102,7 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
   result.squares = equations.cost;
   result.noise = noiseOfSquares(equations);
   result.sharing = sharingOf(settings.noise, result.noise, result.photometry.blur.sigma);
-  const Explanation explanation = fit.explain(noise, mostLacking * result.photometry.tellableContrast());
+  const Explanation explanation = fit.explain(noise, mayLack * result.photometry.tellableContrast());
   result.inliers = explanation.inliers;
   result.correlation = explanation.correlation;
   // The pose's columns of the inverse, and the step that would be next.

@@ -36,7 +36,7 @@ struct FittedPose
   Photometry photometry;
   double squares = 0.;     //!< Sum of squared residuals, robust, grey levels^2.
   double noise = 0.;       //!< Standard deviation of the residuals that count, grey levels.
-  double inliers = 0.;     //!< Share of the pixels that count, in [0, 1].
+  double inliers = 0.;     //!< Share of the pixels that the model explains, in [0, 1]: Explanation.
   double correlation = 0.; //!< Between model and image, in [-1, 1].
   bool isSettled = false;  //!< Whether it has come to the end of its steps, not to the last allowed.
   double coherence = 1.;   //!< By how much parts of the print pull the pose apart more than noise does.

@@ -148,9 +148,9 @@ public:
   /*!
     How well the residuals kept leave the image explained.
     \param noise : By which the pixels are weighed, grey levels.
-    \param slack : What is off by no more is explained, too, grey levels.
+    \param lacking : Standard deviation of what the model may lack without leaving anything out, grey levels.
   */
-  Explanation explain(double noise, double slack) const;
+  Explanation explain(double noise, double lacking) const;
 
 private:
   Equations pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts);

@@ -130,7 +130,7 @@ double Likelihood::costOfResiduals(const MarkerPlane &plane, const Photometry &p
   return cost;
 }
 
-Explanation Likelihood::explain(double noise, double slack) const
+Explanation Likelihood::explain(double noise, double lacking) const
 {
   // Weights, grey levels of model and image and their products, and inliers. Summed up in lanes: from a grey level in
   // the middle, so that the variances are no small differences of large sums.
@@ -154,8 +154,8 @@ Explanation Likelihood::explain(double noise, double slack) const
     sums[3] += wx * model;
     sums[4] += wx * image;
     sums[5] += wy * image;
-    const Lanes isNear = isPositive(static_cast<float>(slack) - residual.abs());
-    sums[6] += loss.kept.max(isNear) * holdsPixel(block);
+    const float scale = static_cast<float>(std::max(noise, lacking));
+    sums[6] += biweight(residual, block.variance, scale).kept * holdsPixel(block);
   });
   const auto total = [&sums](std::size_t i) { return static_cast<double>(sums[i].sum()); };
   const double n = total(0), x = total(1), y = total(2), xx = total(3), xy = total(4), yy = total(5);

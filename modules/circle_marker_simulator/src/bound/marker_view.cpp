@@ -62,6 +62,13 @@ std::vector<PlanePoint> edgeImage(const vpSimulatedMarker &marker, const vpHomog
     const double y = 0.5 * marker.getHeight() * std::sin(angle);
     points.push_back(paper.project({x, y}, lens));
   }
+  if (!marker.isCircle()) { // of a square the corners are farther out
+    for (const double x : {-0.5, 0.5}) {
+      for (const double y : {-0.5, 0.5}) {
+        points.push_back(paper.project({x * marker.getSize(), y * marker.getHeight()}, lens));
+      }
+    }
+  }
   return points;
 }
 

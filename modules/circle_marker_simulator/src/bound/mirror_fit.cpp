@@ -60,10 +60,10 @@ double squaredDistance(const Eigen::VectorXd &residual, const Eigen::VectorXd &w
   return (residual.array().square() * weights.array()).sum();
 }
 
-// A trial state that cannot be rendered (turned away, blur below none) is as bad as can be.
+// A trial state that cannot be rendered (turned away) is as bad as can be. Without blur that is held, at 0.
 bool isPossible(const ViewState &state)
 {
-  return state.cMo[2][3] > 0. && normalOf(state.cMo).dot(sightOf(state.cMo)) > 0. && state.blurVariance > 0.;
+  return state.cMo[2][3] > 0. && normalOf(state.cMo).dot(sightOf(state.cMo)) > 0. && state.blurVariance >= 0.;
 }
 
 ViewState fit(const MarkerView &view, const Eigen::VectorXd &weights, const Eigen::VectorXd &target,
