@@ -28,9 +28,10 @@ namespace {
 // Beyond this many standard deviations a shadow's edge is over (1e-9), and of a sum of sharp ones (1e-6).
 constexpr double PENUMBRA_REACH = 6.;
 constexpr double SUM_REACH = 5.;
-// Nodes over the disc of a defocus for each standard deviation of the edge in its radius, at least: the sum is right to
-// 1e-6.
+// Nodes over the disc of a defocus for each standard deviation of the edge in its radius, and so many more: the sum is
+// right to 1e-7.
 constexpr double NODES_PER_SOFTNESS = 8.;
+constexpr int MORE_NODES = 2;
 // Far beyond any image, in pixels.
 constexpr double FAR_AWAY = 1e5;
 // So that no edge of a layer lies on it, in pixels.
@@ -85,8 +86,9 @@ void castShadow(const vpSceneShadow &shadow, double blur, double defocusRadius, 
     return z <= -PENUMBRA_REACH ? 0. : z >= PENUMBRA_REACH ? 1. : 0.5 * std::erfc(-z / M_SQRT2);
   };
   // The mean over the disc of a defocus: across the edge that is as dense as its chords are long, for which the
-  // quadrature of Gauss and Chebyshev is made. Nodes closer than half the softness: the integrand is an error function.
-  const int nodes = defocusRadius > 0. ? static_cast<int>(std::ceil(NODES_PER_SOFTNESS * defocusRadius / softness)) : 0;
+  // quadrature of Gauss and Chebyshev is made.
+  const double perRadius = NODES_PER_SOFTNESS / softness;
+  const int nodes = defocusRadius > 0. ? static_cast<int>(std::ceil(perRadius * defocusRadius)) + MORE_NODES : 0;
   const auto darkAt = [&](double d) {
     if (nodes == 0 || std::abs(d) > defocusRadius + PENUMBRA_REACH * softness) {
       return softAt(d);
