@@ -56,7 +56,7 @@ Measurement measurementOf(const vpCircleMarkerFamily &family, double inLight, do
     }
   };
   const Recognition marker = recognised(scene, family.isCoded() ? 8 : -1, false);
-  return outcomeOf(scene, marker, true, alter, Deadline(), inSlantedLight()).measurement.value_or(Measurement());
+  return outcomeOf(scene, marker, true, alter, Deadline(), inSlantedLight()).measurement.value();
 }
 } // namespace
 

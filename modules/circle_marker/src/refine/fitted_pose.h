@@ -40,7 +40,7 @@ struct FittedPose
   double correlation = 0.; //!< Between model and image, in [-1, 1].
   bool isSettled = false;  //!< Whether it has come to the end of its steps, not to the last allowed.
   double coherence = 1.;   //!< By how much parts of the print pull the pose apart more than noise does.
-  //! Variance of the residuals at edges over that of all, as far as that is not in the coherence.
+  //! Variance of the residuals at edges over that of all; the coherence is by how much more the parts pull than that.
   double edgeNoise = 1.;
   double decrement = 0.; //!< What another step would take off the squares, grey levels^2.
   double sharing = 1.;   //!< Number of pixels that share what is left of them (ImageNoise), as far as that is noise.
