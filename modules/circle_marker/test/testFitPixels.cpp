@@ -137,6 +137,27 @@ TEST(FitPixels, SurroundIsWhatMayBeSeenBeyondTheQuietZone)
   EXPECT_GT(seeing, 20);
 }
 
+// Where the paper ends is fitted for the pixels that see it together with an edge of the print. Those of a large
+// marker's quiet zone alone would have six parameters fitted that the pose has nothing to do with.
+TEST(FitPixels, ThePapersEndIsOfInterestBesideEdgesOnly)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I = numbered(side, side);
+  const auto count = [&](double diameter) {
+    std::size_t seen = 0;
+    const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 11, diameter,
+                                          uniform(random, 0.1, 0.4), side);
+    for (const FitPixel &pixel : select(I, scene, 11)) {
+      seen += pixel.seesSurround() ? 1 : 0;
+    }
+    return seen;
+  };
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(count(uniform(random, 90., 110.)), 0u);
+    EXPECT_GT(count(uniform(random, 20., 30.)), 20u);
+  }
+}
+
 TEST(FitPixels, OffsetsAreFromTheCentreInUnitsOfItsImage)
 {
   Random random = randomOfTest();

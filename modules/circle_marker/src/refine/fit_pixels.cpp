@@ -106,8 +106,8 @@ public:
     m_offsetY = static_cast<float>(m_perSize * (v - m_frame.center.y()));
   }
 
-  // Adds the pixel of a column of the row.
-  void add(int u, const Eigen::Matrix2f &meterPerPixel)
+  // Adds the pixel of a column of the row; whether it is one that may see beyond the paper.
+  bool add(int u, const Eigen::Matrix2f &meterPerPixel)
   {
     const Eigen::Vector2d meter = m_isLinear ? Eigen::Vector2d(m_corner.x() + u * m_perPixel.x(), m_meterY)
                                              : m_camera.toMeter(Eigen::Vector2d(u, m_row));
@@ -116,9 +116,14 @@ public:
     pixel.meter = meter.cast<float>();
     pixel.offset << static_cast<float>(m_perSize * (u - m_frame.center.x())), m_offsetY;
     pixel.grey = m_greys[u];
-    if (m_surround.isNear() && !m_surround.complete(u, m_row, meter, pixel)) {
-      m_pixels.pop_back();
+    if (!m_surround.isNear()) {
+      return false;
     }
+    if (!m_surround.complete(u, m_row, meter, pixel)) {
+      m_pixels.pop_back();
+      return false;
+    }
+    return pixel.seesSurround();
   }
 
 private:
@@ -181,6 +186,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   Hypotheses hypotheses = {
       {{planes[0], pattern, band, blur.shape()}, {planes[count - 1], pattern, band, blur.shape()}}};
   PixelAdder adder(I, camera, frame, surround, pixels);
+  bool endIsSeenFlat = false, endIsSeenWithEdges = false; // the paper's
   for (int top = box.top; top < box.bottom; top += laneCount) {
     for (int left = box.left; left < box.right; left += laneCount) {
       const Eigen::Vector2d middle(left + tileHalf, top + tileHalf);
@@ -196,7 +202,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
       const Eigen::Matrix2f derivative = tile.meterPerPixel.cast<float>();
       if (!isNear) {
         adder.enter(top);
-        adder.add(left, derivative);
+        endIsSeenFlat = adder.add(left, derivative) || endIsSeenFlat;
         continue;
       }
       forEachRow(hypotheses, count, left, top, box, band, [&](int v, const LaneList &columns) {
@@ -204,11 +210,16 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
         for (int k = 0; k < columns.count; ++k) {
           const int u = left + columns.lanes[static_cast<std::size_t>(k)];
           if (lattice.holds(u, v)) {
-            adder.add(u, derivative);
+            endIsSeenWithEdges = adder.add(u, derivative) || endIsSeenWithEdges;
           }
         }
       });
     }
+  }
+  // Few pixels would tell of where the paper ends, and nothing of the pose: the fit would go on until it knows.
+  if (endIsSeenFlat && !endIsSeenWithEdges) {
+    const auto seesEnd = [](const FitPixel &pixel) { return pixel.seesSurround(); };
+    pixels.erase(std::remove_if(pixels.begin(), pixels.end(), seesEnd), pixels.end());
   }
 }
 } // namespace CIRCLE_MARKER_LANES
