@@ -147,7 +147,11 @@ TEST(FitPixels, ThePapersEndIsOfInterestBesideEdgesOnly)
     std::size_t seen = 0;
     const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 11, diameter,
                                           uniform(random, 0.1, 0.4), side);
-    for (const FitPixel &pixel : select(I, scene, 11)) {
+    const MarkerPlane plane = scene.plane();
+    std::vector<FitPixel> pixels;
+    selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, patternOf(scene.family, 11), PixelChoice(),
+                 pixels); // none is thinned: all have flat areas
+    for (const FitPixel &pixel : pixels) {
       seen += pixel.seesSurround() ? 1 : 0;
     }
     return seen;
