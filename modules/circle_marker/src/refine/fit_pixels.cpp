@@ -22,6 +22,7 @@
 #include <cmath>
 
 #include "pose/circle_bounds.h"
+#include "refine/fit_starts.h"
 #include "refine/surround_share.h"
 #include "support/pixel_box.h"
 
@@ -72,6 +73,16 @@ double edgeLength(const MarkerPattern &pattern, double meanRadius)
   return length * meanRadius;
 }
 
+// Whether the paper may end within so many pixels of the outermost edge, along the image's shorter axis. end: in radii.
+bool mayShowEnd(const MarkerPlane *planes, std::size_t count, const CameraModel &camera, double end, double distance)
+{
+  return std::any_of(planes, planes + count, [&](const MarkerPlane &plane) {
+    const double tilt = plane.rotation.col(2).dot(plane.center.normalized());
+    const double minor = std::abs(tilt) * plane.radius / (plane.center.norm() * meterPerPixelAt(plane, camera));
+    return (end - 1.) * minor < distance;
+  });
+}
+
 // One pixel in so many, in a lattice that is slanted by the golden section so that it has no short period along any
 // edge; the edges of a marker that is thinned know white and black well enough without its flat areas.
 struct Lattice
@@ -106,8 +117,8 @@ public:
     m_offsetY = static_cast<float>(m_perSize * (v - m_frame.center.y()));
   }
 
-  // Adds the pixel of a column of the row; whether it is one that may see beyond the paper.
-  bool add(int u, const Eigen::Matrix2f &meterPerPixel)
+  // Adds the pixel of a column of the row.
+  void add(int u, const Eigen::Matrix2f &meterPerPixel)
   {
     const Eigen::Vector2d meter = m_isLinear ? Eigen::Vector2d(m_corner.x() + u * m_perPixel.x(), m_meterY)
                                              : m_camera.toMeter(Eigen::Vector2d(u, m_row));
@@ -116,14 +127,9 @@ public:
     pixel.meter = meter.cast<float>();
     pixel.offset << static_cast<float>(m_perSize * (u - m_frame.center.x())), m_offsetY;
     pixel.grey = m_greys[u];
-    if (!m_surround.isNear()) {
-      return false;
-    }
-    if (!m_surround.complete(u, m_row, meter, pixel)) {
+    if (m_surround.isNear() && !m_surround.complete(u, m_row, meter, pixel)) {
       m_pixels.pop_back();
-      return false;
     }
-    return pixel.seesSurround();
   }
 
 private:
@@ -185,8 +191,8 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   SurroundShare surround(I, camera, planes, count, pattern.paper, blur);
   Hypotheses hypotheses = {
       {{planes[0], pattern, band, blur.shape()}, {planes[count - 1], pattern, band, blur.shape()}}};
+  const bool showsEnd = mayShowEnd(planes, count, camera, outermost, band + clearOfSurround * blur.widest());
   PixelAdder adder(I, camera, frame, surround, pixels);
-  bool endIsSeenFlat = false, endIsSeenWithEdges = false; // the paper's
   for (int top = box.top; top < box.bottom; top += laneCount) {
     for (int left = box.left; left < box.right; left += laneCount) {
       const Eigen::Vector2d middle(left + tileHalf, top + tileHalf);
@@ -201,8 +207,12 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
       surround.enter(middle, hypotheses);
       const Eigen::Matrix2f derivative = tile.meterPerPixel.cast<float>();
       if (!isNear) {
-        adder.enter(top);
-        endIsSeenFlat = adder.add(left, derivative) || endIsSeenFlat;
+        // Near an end of the paper that no edge is seen with, it would tell nothing of the pose, and the fit would go
+        // on until it knows how the sheet is cut.
+        if (showsEnd || !surround.isNear()) {
+          adder.enter(top);
+          adder.add(left, derivative);
+        }
         continue;
       }
       forEachRow(hypotheses, count, left, top, box, band, [&](int v, const LaneList &columns) {
@@ -210,16 +220,11 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
         for (int k = 0; k < columns.count; ++k) {
           const int u = left + columns.lanes[static_cast<std::size_t>(k)];
           if (lattice.holds(u, v)) {
-            endIsSeenWithEdges = adder.add(u, derivative) || endIsSeenWithEdges;
+            adder.add(u, derivative);
           }
         }
       });
     }
-  }
-  // Few pixels would tell of where the paper ends, and nothing of the pose: the fit would go on until it knows.
-  if (endIsSeenFlat && !endIsSeenWithEdges) {
-    const auto seesEnd = [](const FitPixel &pixel) { return pixel.seesSurround(); };
-    pixels.erase(std::remove_if(pixels.begin(), pixels.end(), seesEnd), pixels.end());
   }
 }
 } // namespace CIRCLE_MARKER_LANES
