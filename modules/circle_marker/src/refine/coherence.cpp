@@ -36,6 +36,10 @@ constexpr double leastParts = 0.75;
 // The ratio counts if it is above what independent noise exceeds with the probability of this many standard deviations
 // of a normal distribution: once in 740.
 constexpr double clearOfChance = 3.;
+// Below that it may be chance, and counts as if so many degrees of freedom had told that it is 1. Its own are 40 of a
+// golay23 and 25 of a plain ring: 1.2 is within chance, and is what a picture has that was drawn with 8 x 8 samples a
+// pixel.
+constexpr double expectedFreedom = 50.;
 
 using PoseColumn = Eigen::Matrix<double, poseSize, 1>;
 using PoseMatrix = Eigen::Matrix<double, poseSize, poseSize>;
@@ -87,7 +91,12 @@ Part partOf(const ProductSums &products, const PullSums &pulls, const PoseInflue
 // By how much the parts together move the pose more than independent noise would.
 struct Excess
 {
-  double ratio = 1.;                          // mean over the pose's parameters; 1 if that is within chance
+  // As far as a ratio within chance is to be believed. Less than independent noise does is always chance.
+  double shrunk() const { return std::max((expectedFreedom + ratio * freedom) / (expectedFreedom + freedom), 1.); }
+
+  double ratio = 1.;                          // mean over the pose's parameters
+  double freedom = 0.;                        // its degrees of freedom; 0 if too few parts are seen to tell
+  bool isClear = false;                       // whether it is above what chance may do
   PoseMatrix covariance = PoseMatrix::Zero(); // the parts' covariance of the pose, with noise of variance 1
 };
 
@@ -114,7 +123,7 @@ Excess excessOf(const Parts &parts, std::size_t count, int fitted, double noise)
   // of the National Academy of Sciences 17, 1931).
   const double perFreedom = 2. / 9. * squaredShares / fitted;
   const double mostByChance = std::pow(1. - perFreedom + clearOfChance * std::sqrt(perFreedom), 3.);
-  return ratio > mostByChance ? Excess{ratio, covariance} : Excess();
+  return {ratio, fitted / squaredShares, ratio > mostByChance, covariance};
 }
 
 // The first of the parts become each one with the one that follows it.
@@ -155,16 +164,21 @@ CoherentCovariance Likelihood::coherentCovariance(const PoseInfluence &influence
     parts[k] = partOf(m_memory.sums.products[k], m_memory.sums.pulls[k], even, step, used);
   }
   std::size_t count = directions;
-  Excess largest = excessOf(parts, count, fitted, noise);
+  const Excess finest = excessOf(parts, count, fitted, noise);
+  Excess largest = finest;
   while (count > leastCount) {
     takeTogether(parts, count);
     count /= 2;
     const Excess excess = excessOf(parts, count, fitted, noise);
-    largest = excess.ratio > largest.ratio ? excess : largest;
+    const bool isLarger = !largest.isClear || excess.ratio > largest.ratio;
+    largest = excess.isClear && isLarger ? excess : largest;
   }
-  coherent.ratio = largest.ratio;
-  if (coherent.ratio > 1.) {
+  if (largest.isClear) {
+    coherent.ratio = largest.ratio;
     coherent.covariance = widened(root, largest);
+  }
+  else {
+    coherent.covariance *= finest.shrunk();
   }
   return coherent;
 }
