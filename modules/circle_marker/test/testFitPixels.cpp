@@ -18,6 +18,10 @@
 #include "testPatternDistance.h"
 #include "testRoomTools.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
 #include <set>
 
 #include "refine/fit_pixels.h"
@@ -211,6 +215,46 @@ TEST(FitPixels, LargeMarkersAreThinnedEvenly)
     }
     const auto [least, most] = std::minmax_element(octants.begin(), octants.end());
     EXPECT_LT(*most, 1.5 * *least) << diameter;
+  }
+}
+
+// Flat areas grow as the square of the diameter, what they tell of white, black and light does not.
+TEST(FitPixels, FlatAreasGiveNoMoreThanSoManyPixels)
+{
+  using Quadrants = std::array<std::size_t, 4>;
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  const MarkerPattern pattern = patternOf(family, 3);
+  const vpImage<unsigned char> I = numbered(600, 600);
+  for (const double diameter : {200., 430.}) {
+    const MarkerScene scene = markerScene(random, family, 3, diameter, 0.3, 600);
+    const MarkerPlane plane = scene.plane();
+    const auto flatOf = [&](const PixelChoice &choice) {
+      Quadrants flat{};
+      std::vector<FitPixel> pixels;
+      selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, pattern, choice, pixels);
+      for (const FitPixel &pixel : pixels) {
+        if (distanceToPattern(pixel.model(), plane, pattern).toEdges > 6.) {
+          const Eigen::Vector2d where = pixelOf(pixel, scene);
+          const Eigen::Vector2d q = scene.onMarker(where.x(), where.y());
+          ++flat[(q.x() > 0. ? 1 : 0) + (q.y() > 0. ? 2 : 0)];
+        }
+      }
+      return flat;
+    };
+    PixelChoice all;
+    all.manyFlat = HUGE_VAL;
+    const Quadrants whole = flatOf(all);
+    const Quadrants kept = flatOf(PixelChoice());
+    if (diameter < 300.) { // they are not so many
+      EXPECT_EQ(kept, whole);
+      continue;
+    }
+    EXPECT_GT(std::accumulate(whole.begin(), whole.end(), std::size_t(0)), PixelChoice().manyFlat);
+    EXPECT_LT(std::accumulate(kept.begin(), kept.end(), std::size_t(0)), PixelChoice().manyFlat);
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+      EXPECT_NEAR(static_cast<double>(kept[k]) / static_cast<double>(whole[k]), 0.25, 0.05);
+    }
   }
 }
 

@@ -71,6 +71,9 @@ struct PixelChoice
   /*! Number of pixels from which the marker is thinned: some 500 pixels diameter. Each that is left out is information
       lost. */
   double manyPixels = 20e3;
+  /*! Number of pixels that flat areas give at most, one of each tile: there are as many as the square of the diameter
+      has them, 3000 at 400 pixels, and a thousand know white and black to a thirtieth of the noise. */
+  double manyFlat = 1e3;
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

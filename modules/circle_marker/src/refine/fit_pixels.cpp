@@ -188,6 +188,8 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
   const Lattice lattice(std::max(1, static_cast<int>(std::ceil(expected / choice.manyPixels))));
   // Inside a plain ring anything may be printed: only the neighbourhood of its edges is known.
   const bool usesFlat = pattern.sectors > 0 && lattice.holdsAll();
+  const double flatTiles = M_PI * std::pow(outermost * size / laneCount, 2.);
+  const Lattice flatLattice(std::max(1, static_cast<int>(std::ceil(flatTiles / choice.manyFlat))));
   SurroundShare surround(I, camera, planes, count, pattern.paper, blur);
   Hypotheses hypotheses = {
       {{planes[0], pattern, band, blur.shape()}, {planes[count - 1], pattern, band, blur.shape()}}};
@@ -201,7 +203,7 @@ void selectPixels(const vpImage<unsigned char> &I, const CameraModel &camera, co
       for (std::size_t i = 0; i < count; ++i) {
         isNear = hypotheses[i].enter(tile) || isNear;
       }
-      if (!isNear && !usesFlat) {
+      if (!isNear && !(usesFlat && flatLattice.holds((left - box.left) / laneCount, (top - box.top) / laneCount))) {
         continue;
       }
       surround.enter(middle, hypotheses);
