@@ -78,28 +78,40 @@ class Across
 public:
   Across(const vpImage<unsigned char> &I, const Eigen::Vector2d &middle, const Eigen::Vector2d &way, double ringInner)
       : m_I(I), m_middle(middle), m_way(way), m_across(Eigen::Vector2d(-way.y(), way.x()).normalized()),
-        m_ofRing(1. + ringInner)
+        m_narrower(narrowerAlong(1. + ringInner))
   {
   }
 
   // Of the white centre.
   double center() const
   {
-    constexpr double stride = 0.04;
-    return mean([&](int k) -> Eigen::Vector2d { return m_middle + stride * k * m_way; });
+    constexpr double strideOfCenter = 0.04;
+    return mean([&](int k) -> Eigen::Vector2d { return m_middle + strideOfCenter * k * m_way; });
   }
 
   // At a distance from the middle, pixels, and elsewhere nearer as the ring is.
   double side(double distance) const
   {
-    constexpr double stride = 0.1;
     return mean([&](int k) -> Eigen::Vector2d {
-      const double along = stride * k;
-      return m_middle + along * m_way + distance * std::sqrt(1. - std::pow(m_ofRing * along, 2)) * m_across;
+      return m_middle + stride * k * m_way + distance * m_narrower[static_cast<std::size_t>(std::abs(k))] * m_across;
     });
   }
 
 private:
+  static constexpr double stride = 0.1; // of the places along the sides, distances of the dots
+  using Narrower = std::array<double, placesToSide + 1>;
+
+  // How much nearer the ring is than in the middle, at the places to either side. ofRing: the distance of the dots by
+  // the ring's semi-major axis.
+  static Narrower narrowerAlong(double ofRing)
+  {
+    Narrower narrower;
+    for (std::size_t k = 0; k < narrower.size(); ++k) {
+      narrower[k] = std::sqrt(1. - std::pow(ofRing * stride * static_cast<double>(k), 2));
+    }
+    return narrower;
+  }
+
   // HUGE_VAL where that reaches out of the image.
   template <class PlaceAt> double mean(const PlaceAt &placeAt) const
   {
@@ -114,7 +126,7 @@ private:
   Eigen::Vector2d m_middle;
   Eigen::Vector2d m_way;
   Eigen::Vector2d m_across;
-  double m_ofRing; // the distance of the dots by the ring's semi-major axis
+  Narrower m_narrower;
 };
 
 // The darkest line on one side.
@@ -142,6 +154,9 @@ std::optional<double> distanceOfSides(const Across &across, double depth)
 {
   const double center = across.center();
   const DarkSide right = darkestBeside(across, 1.);
+  if (center - right.grey < leastDarkSide * depth) { // whatever the other one is
+    return std::nullopt;
+  }
   const DarkSide left = darkestBeside(across, -1.);
   const double more = center - std::min(right.grey, left.grey);
   const double less = center - std::max(right.grey, left.grey);
