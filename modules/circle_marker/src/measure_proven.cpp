@@ -58,8 +58,7 @@ double sectorLength(double b, const vpCircleMarkerFamily &family)
 
 double sectorLength(const MarkerPlane &plane, const CameraModel &camera, const vpCircleMarkerFamily &family)
 {
-  const double foreshortening = plane.rotation.col(2).dot(plane.center.normalized());
-  return sectorLength(foreshortening * frameOf(plane, camera).size, family);
+  return sectorLength(plane.foreshortening() * frameOf(plane, camera).size, family);
 }
 
 // Sets the measured poses, as a start.

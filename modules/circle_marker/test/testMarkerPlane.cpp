@@ -68,6 +68,29 @@ TEST(MarkerPlane, ABowByHand)
 }
 
 // Paper around a cylinder, by its sine and cosine: what the third and fourth orders lack.
+TEST(MarkerPlane, SemiMinorAxisOfTheOutlinesImage)
+{
+  // Of a small circle near the optical axis: the least distance of its image's points from the centre's.
+  Random random = randomOfTest();
+  for (int i = 0; i < 50; ++i) {
+    MarkerPlane plane = randomPlane(random);
+    plane.bend = SheetBend();
+    plane.center = Eigen::Vector3d(uniform(random, -0.02, 0.02), uniform(random, -0.02, 0.02), 1.);
+    plane.radius = 0.001;
+    if (plane.rotation.col(2).z() < 0.2) {
+      continue;
+    }
+    const Eigen::Vector2d middle = plane.project(Eigen::Vector2d::Zero());
+    double least = HUGE_VAL;
+    for (int k = 0; k < 720; ++k) {
+      const double angle = M_PI / 360. * k;
+      least = std::min(least, (plane.project(Eigen::Vector2d(std::cos(angle), std::sin(angle))) - middle).norm());
+    }
+    constexpr double unit = 1e-4;
+    EXPECT_NEAR(plane.semiMinor(unit), least / unit, 0.05 * least / unit);
+  }
+}
+
 TEST(MarkerPlane, ASheetAboutAnAxisIsACylinder)
 {
   Random random = randomOfTest();

@@ -272,7 +272,7 @@ bool hasDarkRing(const vpImage<unsigned char> &I, const CameraModel &camera, con
   }
   std::sort(steps.begin(), steps.end());
   const double usual = steps[directions / 2];
-  const bool isSlanted = std::abs(plane.rotation.col(2).dot(plane.center.normalized())) < slant;
+  const bool isSlanted = std::abs(plane.foreshortening()) < slant;
   return usual > 0. && steps[isSlanted ? mostLessAtSlant : mostLess] > least * usual;
 }
 

@@ -116,6 +116,16 @@ struct MarkerPlane
   /*! Whether the print's front is seen, and the camera is not nearly on it. */
   bool showsFront() const { return center.z() > 0.1 * radius && rotation.col(2).dot(center) > 0.; }
 
+  /*! Cosine of the angle at which the camera sees the centre: 1 facing it, 0 edge-on. */
+  double foreshortening() const { return rotation.col(2).dot(center.normalized()); }
+
+  /*!
+    Semi-minor axis of the outer edge's image where the pixels are of a size, pixels; to first order in the radius over
+    the distance.
+    \param unit : Size of a pixel, normalised coordinates.
+  */
+  double semiMinor(double unit) const { return std::abs(foreshortening()) * radius / (center.norm() * unit); }
+
   /*! The same pose of a flat sheet. */
   MarkerPlane flattened() const
   {

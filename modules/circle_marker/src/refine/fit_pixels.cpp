@@ -77,9 +77,7 @@ double edgeLength(const MarkerPattern &pattern, double meanRadius)
 bool mayShowEnd(const MarkerPlane *planes, std::size_t count, const CameraModel &camera, double end, double distance)
 {
   return std::any_of(planes, planes + count, [&](const MarkerPlane &plane) {
-    const double tilt = plane.rotation.col(2).dot(plane.center.normalized());
-    const double minor = std::abs(tilt) * plane.radius / (plane.center.norm() * meterPerPixelAt(plane, camera));
-    return (end - 1.) * minor < distance;
+    return (end - 1.) * plane.semiMinor(meterPerPixelAt(plane, camera)) < distance;
   });
 }
 

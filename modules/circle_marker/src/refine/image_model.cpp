@@ -60,7 +60,7 @@ ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, c
   m_spread = static_cast<float>(blur.spread);
   // Circle and radius meet in the image at the angle whose cosine is at most (1 - k^2) / (1 + k^2), k the cosine of the
   // tilt.
-  const double squared = std::pow(plane.rotation.col(2).dot(plane.center.normalized()), 2.);
+  const double squared = std::pow(plane.foreshortening(), 2.);
   m_cornerTerms = cornerTermsFor((1. - squared) / (1. + squared));
 }
 

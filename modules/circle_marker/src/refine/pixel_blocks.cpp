@@ -43,9 +43,7 @@ int bordersSeen(const MarkerPlane &plane, const MarkerPattern &pattern, const Bl
     return 0;
   }
   const double distance = blur.widest() / blur.sigma * sightThrough(blur, poseError); // in the image, at most
-  const double tilt = plane.rotation.col(2).dot(plane.center.normalized());
-  const double minor = plane.radius * std::abs(tilt) / (plane.center.norm() * unit); // pixels
-  const double sector = 2. * M_PI / pattern.sectors * pattern.track[1].radius * minor;
+  const double sector = 2. * M_PI / pattern.sectors * pattern.track[1].radius * plane.semiMinor(unit); // pixels
   // With k to either side of the nearest, the next one is at least k + 1/2 sectors away.
   return std::min(distance < 0.5 * sector ? 1 : distance < 1.5 * sector ? 3 : 5, mostSeen);
 }
