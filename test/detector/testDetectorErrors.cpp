@@ -165,9 +165,13 @@ TEST(DetectorErrors, ConfigurationFilesHoldWhatSettersTake)
   detector.setTracking(true, 100000);
   detector.setNbThreads(1024);
   detector.setMaximumHammingDistance(5000);
+  detector.setMarkerSizes({{-1, 0.1}, {0, 0.2}, {999999999, 0.3}});
   detector.saveConfigFile(file.name());
   vpDetectorCircleMarker loaded;
   EXPECT_EQ(codeOf([&] { loaded.loadConfigFile(file.name()); }), -1);
+  for (const int id : {-2, 1000000000}) {
+    EXPECT_EQ(codeOf([&] { detector.setMarkerSizes({{id, 0.1}}); }), vpException::badValue) << id;
+  }
 }
 
 TEST(DetectorErrors, WrongConfigurationChangesNothing)

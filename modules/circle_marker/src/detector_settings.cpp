@@ -23,9 +23,9 @@
 
 #include <visp3/core/vpException.h>
 
+#include "support/family_json.h"
 #include "support/json_file.h"
 #include "support/json_lines.h"
-#include "support/same_family.h"
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
 #include <algorithm>
 #include <array>
@@ -73,57 +73,6 @@ unsigned int readCount(const std::string &key, const Json &value, unsigned int l
   return value.get<unsigned int>();
 }
 
-// A layout's radii by their names in files.
-std::array<std::pair<const char *, double *>, 4> radiiOf(vpCircleMarkerLayout &layout)
-{
-  return {{{"ringInner", &layout.ringInner},
-           {"codeOuter", &layout.codeOuter},
-           {"codeInner", &layout.codeInner},
-           {"quietZone", &layout.quietZone}}};
-}
-
-// A family is its name; for a ring of its own ratio {"name": "ring", "ratio": 0.65}; with other radii {"name":
-// "golay23", "layout": {"ringInner": 0.75, ...}}, all four of them.
-vpCircleMarkerFamily readFamily(const Json &value)
-{
-  if (!value.is_object()) {
-    return vpCircleMarkerFamily::fromName(value.get<std::string>());
-  }
-  const bool isRing = value.size() == 2 && value.contains("ratio") && value.at("name") == "ring";
-  const bool hasLayout = value.size() == 2 && value.contains("layout") && value.at("layout").size() == 4;
-  if (!isRing && !hasLayout) {
-    refuse("families",
-           "names, or {\"name\": \"ring\", \"ratio\": ...}, or {\"name\": ..., \"layout\": {\"ringInner\": ..., "
-           "\"codeOuter\": ..., \"codeInner\": ..., \"quietZone\": ...}}");
-  }
-  if (isRing) {
-    return vpCircleMarkerFamily::ring(value.at("ratio").get<double>());
-  }
-  const vpCircleMarkerFamily family = vpCircleMarkerFamily::fromName(value.at("name").get<std::string>());
-  vpCircleMarkerLayout layout;
-  for (const auto &[name, radius] : radiiOf(layout)) {
-    *radius = value.at("layout").at(name).get<double>();
-  }
-  return family.withLayout(layout);
-}
-
-Json written(const vpCircleMarkerFamily &family)
-{
-  vpCircleMarkerLayout layout = family.getLayout();
-  if (isSameLayout(layout, vpCircleMarkerFamily(family.getType()).getLayout())) {
-    return family.getName();
-  }
-  if (family.getType() == vpCircleMarkerFamily::RING &&
-      isSameLayout(layout, vpCircleMarkerFamily::ring(layout.ringInner).getLayout())) {
-    return Json{{"name", family.getName()}, {"ratio", layout.ringInner}};
-  }
-  Json radii = Json::object();
-  for (const auto &[name, radius] : radiiOf(layout)) {
-    radii[name] = *radius;
-  }
-  return Json{{"name", family.getName()}, {"layout", radii}};
-}
-
 std::vector<vpCircleMarkerFamily> readFamilies(const std::string &key, const Json &value)
 {
   if (!value.is_array() || value.empty()) {
@@ -131,7 +80,7 @@ std::vector<vpCircleMarkerFamily> readFamilies(const std::string &key, const Jso
   }
   std::vector<vpCircleMarkerFamily> families;
   for (const Json &family : value) {
-    families.push_back(readFamily(family));
+    families.push_back(familyFromJson(family));
   }
   return families;
 }
@@ -283,7 +232,7 @@ void writeSettings(const std::string &filename, const DetectorSettings &settings
   Json json;
   json["families"] = Json::array();
   for (const vpCircleMarkerFamily &family : settings.families) {
-    json["families"].push_back(written(family));
+    json["families"].push_back(familyToJson(family));
   }
   json["sizes"] = Json::object();
   for (const auto &[id, size] : settings.sizes) {

@@ -33,6 +33,8 @@ BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*! Threads that can be asked for: more than any processor has; each has working memory of its own. */
 constexpr unsigned int mostThreads = 1024;
+/*! No marker has a larger id: of nine digits, which an int holds. */
+constexpr int largestId = 999999999;
 
 /*! All that a user can set. */
 struct DetectorSettings

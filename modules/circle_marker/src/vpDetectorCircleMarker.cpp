@@ -234,11 +234,15 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I)
   \param cMo_vec : Pose of each marker, the likelier solution.
   \param cMo_vec2 : If not null, the other solution; equal to the first if there is none.
   \param projErrors : If not null, negative log-likelihood of each pose, up to a constant common to both solutions.
-  \param projErrors2 : If not null, the same for the other solution, HUGE_VAL if there is none.
+  \param projErrors2 : If not null, that plus the log-odds of the first solution, which may be less than what the other
+  one's likelihood alone would give (vpCircleMarkerDetection::logOdds); HUGE_VAL if there is no other.
   \return Whether a marker was found.
   \exception vpException::dimensionError : If the image has a side of less than 16 or more than 32767 pixels.
   \exception vpException::badValue : If the size is not positive.
   \exception vpException::fatalError : If the system does not give the threads of setNbThreads().
+
+  After the time of setTimeout() (none by default) a search ends with the markers found by then, and returns whether
+  there are any; with setDebug() a rejected candidate has TIMEOUT for a reason if anything was left.
 
   After an exception for the image or the size the detector has the markers of the image before; after any other, want
   of memory for instance, it has none, and markers are not followed any more.

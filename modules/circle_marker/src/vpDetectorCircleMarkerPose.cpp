@@ -109,10 +109,11 @@ std::optional<vpCircleMarkerDetection> vpDetectorCircleMarker::Impl::measureAgai
   \param cMo : Its pose, the likelier solution.
   \param cMo2 : If not null, the other solution; equal to the first if there is none.
   \param projError : If not null, negative log-likelihood of cMo up to a constant common to both.
-  \param projError2 : If not null, the same for cMo2, HUGE_VAL if there is none.
+  \param projError2 : If not null, that plus the log-odds of cMo, HUGE_VAL if there is no other solution.
   \param covariance : If not null, that of cMo, 6 x 6: see vpCircleMarkerDetection.
   \param covariance2 : If not null, that of cMo2, zero if there is none.
-  \return Whether the pose could be computed with this camera and these settings.
+  \return Whether the pose could be computed with this camera and these settings. The time of setTimeout() is that of
+  detect() alone.
   \exception vpException::badValue : If there is no such marker, or the size is not positive.
 */
 bool vpDetectorCircleMarker::getPose(size_t index, double size, const vpCameraParameters &cam, vpHomogeneousMatrix &cMo,

@@ -92,7 +92,8 @@ unsigned int vpDetectorCircleMarker::getHammingDistance(size_t index) const
 }
 
 /*!
-  \return Identity of each marker; -1 without a code. Named as in vpDetectorAprilTag.
+  \return Identity of each marker in its family; -1 without a code. Where several families are looked for,
+  getDetections() tells which it is. Named as in vpDetectorAprilTag.
 */
 std::vector<int> vpDetectorCircleMarker::getTagsId() const
 {
@@ -105,7 +106,8 @@ std::vector<int> vpDetectorCircleMarker::getTagsId() const
 
 /*!
   \return For each marker, 36 points along the image of its outer edge, pixels, of which getTagsPoints3D() tells the
-  places in the marker frame. Named as in vpDetectorAprilTag, whose tags have four corners.
+  places in the marker frame. They follow each other clockwise as the image is seen, from the marker's x axis on. Named
+  as in vpDetectorAprilTag, whose tags have four corners that follow each other counterclockwise.
 */
 std::vector<std::vector<vpImagePoint>> vpDetectorCircleMarker::getTagsCorners() const
 {

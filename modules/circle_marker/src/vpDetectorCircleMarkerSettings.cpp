@@ -59,6 +59,9 @@ const std::vector<vpCircleMarkerFamily> &vpDetectorCircleMarker::getFamilies() c
   \param database : What is known of the markers. Those in it have its sizes, whatever detect() and setMarkerSizes()
   say, and their messages carry name and payload: "golay23 id: 5 name: door payload: wait". Which families are looked
   for is setFamilies()'s.
+
+  \warning The poses wMo in the database have z into the marker. For poses cMo that go together with them, as in
+  wMo * cMo.inverse(), call setZAlignedWithCameraAxis(true): by default z of cMo points toward the camera.
 */
 void vpDetectorCircleMarker::setDatabase(const vpCircleMarkerDatabase &database)
 {
@@ -74,13 +77,21 @@ const vpCircleMarkerDatabase &vpDetectorCircleMarker::getDatabase() const
 }
 
 /*!
-  \param sizes : Sizes of single markers, metres, by id; the others have the size given to detect().
-  \exception vpException::badValue : If a size is not positive.
+  \param sizes : Sizes of single markers, metres, by id; the others have the size given to detect(). The id counts
+  alone: where two families are looked for, both markers of an id have its size. That of -1 is for all markers without
+  a code, and not, as in getTagsPoints3D(), for all that are not named. Where this does not do, the database tells sizes
+  by family and id (setDatabase()).
+  \exception vpException::badValue : If a size is not positive, or an id is not one from -1 to 999999999.
 */
 void vpDetectorCircleMarker::setMarkerSizes(const std::map<int, double> &sizes)
 {
   for (const auto &[id, size] : sizes) {
-    (void)id;
+    if (id < -1 || id > circle_marker::largestId) {
+      throw vpException(vpException::badValue,
+                        "vpDetectorCircleMarker: a size for the id %d, which no marker has; give ids from 0, or -1 for "
+                        "markers without a code",
+                        id);
+    }
     circle_marker::checkMarkerSize(size);
   }
   m_impl->settings.sizes = sizes;
@@ -92,8 +103,8 @@ void vpDetectorCircleMarker::setMarkerSizes(const std::map<int, double> &sizes)
   found at any distance. Sectors that are not seen are not corrected; one in plain sight that is of the other colour is,
   even of a marker that something covers elsewhere. Of such a one of bch31r, whose code can correct five sectors where
   the others' correct three, five thirds of the distance may be, rounded up, and of any no more than its code can
-  correct; getHammingDistance() tells how many. Markers with sectors too small to be read one by one are read as a
-  whole, unless the distance is 0.
+  correct; getHammingDistance() tells how many. Corrections raise the least margin: see setMinimumMargin(). Markers with
+  sectors too small to be read one by one are read as a whole, unless the distance is 0.
 */
 void vpDetectorCircleMarker::setMaximumHammingDistance(unsigned int distance)
 {
@@ -104,7 +115,12 @@ void vpDetectorCircleMarker::setMaximumHammingDistance(unsigned int distance)
   Sets the least margin of codes. At the default, and below, small markers may be proven as a whole, by the likelihood
   of all codewords, whatever the margin of their first reading; above it they may not.
 
-  \param margin : Least decision margin, from 0 to 1 (see getMargin()).
+  Corrected sectors ask for more: n of the c that the code can correct (three of golay23 and bch31, five of bch31r) for
+  0.3 n / c besides, and each takes at least 1 / (number of sectors) of the margin. So a golay23 with two corrections,
+  whose margin is 0.91 at most, is found up to a least margin of 0.71, and one with three, 0.87 at most, up to 0.57: by
+  default it is not.
+
+  \param margin : Least decision margin, from 0 to 1 (see getMargin()); 0.6 by default.
   \exception vpException::badValue : If it is outside of [0, 1].
 */
 void vpDetectorCircleMarker::setMinimumMargin(double margin)
@@ -116,7 +132,7 @@ void vpDetectorCircleMarker::setMinimumMargin(double margin)
 }
 
 /*!
-  \param threads : Number of threads, from 1 to 1024. They are started by the next detect(), which throws
+  \param threads : Number of threads, from 1 to 1024; 1 by default. They are started by the next detect(), which throws
   vpException::fatalError if the system does not give so many.
   \exception vpException::badValue : If it is another.
 */

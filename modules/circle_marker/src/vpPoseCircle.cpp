@@ -261,7 +261,9 @@ void vpPoseCircle::setZAlignedWithCameraAxis(bool aligned)
 
 /*!
   \param sigma : Standard deviation of a contour point across the contour in normalised coordinates, pixels / focal
-  length, at least 1e-12; 1e-4 by default. It scales the covariance and the log-odds.
+  length, at least 1e-12; 1e-4 by default. It scales the covariance and the log-odds. Points count as independent: those
+  of a contour as many as there are, a whole ellipse (setConic(), setMoments(), setEllipse() of other than a vpDot2) as
+  72, whatever it was fitted to.
   \exception vpException::badValue : It is less, or not finite.
 */
 void vpPoseCircle::setPointSigma(double sigma)
@@ -282,7 +284,8 @@ void vpPoseCircle::setCovarianceComputation(bool flag)
 /*!
   \return 6 x 6 covariance of the first pose of the last computePose(), of \f$ \delta = (\upsilon, \omega) \f$ in the
   camera frame with \f$ ^cM_o^{true} = \exp(\delta) \, ^cM_o \f$ (vpExponentialMap), metres and radians. The spin about
-  the normal is not measured and has the variance of a uniform angle, pi^2/3.
+  the normal is not measured and has the variance of a uniform angle, pi^2/3. It follows from the geometry and from
+  setPointSigma() alone, not from how well the contour fits: see computeResidual().
   \exception vpException::notInitialized : It was not computed: see setCovarianceComputation().
 */
 vpMatrix vpPoseCircle::getCovarianceMatrix() const

@@ -27,6 +27,7 @@
 #include <visp3/core/vpPoseVector.h>
 
 #include "support/json_lines.h"
+#include "support/same_family.h"
 
 using namespace circle_marker;
 using namespace room_test;
@@ -113,6 +114,30 @@ std::string withMarker(const std::string &text)
   return "{\n  \"markers\": [\n    {\"family\": \"bch31\", \"id\": 1, \"size\": 0.1},\n" + text + "\n  ]\n}\n";
 }
 } // namespace
+
+// A ring of its own ratio, or a print with other radii, is another marker than that of the name.
+TEST(CircleMarkerDatabase, FilesHoldTheRadiiOfTheFamily)
+{
+  vpCircleMarkerLayout thin = vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23).getLayout();
+  thin.ringInner = 0.85;
+  vpCircleMarkerDatabase database;
+  database.add(entryOf(vpCircleMarkerFamily::ring(0.65), -1));
+  database.add(entryOf(vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23).withLayout(thin), 5));
+  database.add(entryOf(vpCircleMarkerFamily::BCH31, 7));
+  TestFile file;
+  database.save(file.name());
+  vpCircleMarkerDatabase loaded;
+  loaded.load(file.name());
+  ASSERT_EQ(loaded.getEntries().size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_TRUE(isSameFamily(loaded.getEntries()[i].family, database.getEntries()[i].family)) << i;
+  }
+  for (const char *family : {"{\"name\": \"ring\", \"ratio\": \"wide\"}", "{\"name\": \"golay23\"}", "[\"ring\"]"}) {
+    const std::string complaint =
+        complaintAbout(std::string("{\"markers\": [\n{\"family\": ") + family + ", \"size\": 0.18}]}");
+    EXPECT_NE(complaint.find("line 2"), std::string::npos) << family << ": " << complaint;
+  }
+}
 
 TEST(CircleMarkerDatabase, WrittenAndReadAgain)
 {

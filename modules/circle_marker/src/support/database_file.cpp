@@ -22,6 +22,7 @@
 #include <visp3/core/vpException.h>
 #include <visp3/core/vpPoseVector.h>
 
+#include "support/family_json.h"
 #include "support/json_file.h"
 #include "support/marker_size.h"
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
@@ -76,13 +77,15 @@ std::string readText(const JsonNode &node, const std::string &what)
   return node.scalar.get<std::string>();
 }
 
-vpCircleMarkerFamily readFamily(const JsonNode &node)
+vpCircleMarkerFamily familyOf(const JsonNode &node)
 {
-  const std::string name = readText(node, "\"family\" must be a name, such as \"golay23\"");
-  try {
-    return vpCircleMarkerFamily::fromName(name);
+  if (node.kind != Kind::Object) {
+    readText(node, "\"family\" must be a name, such as \"golay23\"");
   }
-  catch (const vpException &e) {
+  try {
+    return familyFromJson(valueOf(node));
+  }
+  catch (const std::exception &e) { // our own, and the library's where a type is wrong
     refuseAtLine(node.line, e.what());
   }
 }
@@ -125,7 +128,7 @@ vpCircleMarkerEntry readEntry(const JsonNode &node)
   // Each key with what takes its value, so that a misspelt key is an error and not silently ignored.
   for (const auto &[key, value] : node.children) {
     if (key == "family") {
-      entry.family = readFamily(value);
+      entry.family = familyOf(value);
     }
     else if (key == "id") {
       entry.id = readId(value);
@@ -181,7 +184,7 @@ vpCircleMarkerDatabase read(const JsonNode &root)
 
 nlohmann::json written(const vpCircleMarkerEntry &entry)
 {
-  nlohmann::json json{{"family", entry.family.getName()}, {"size", entry.size}};
+  nlohmann::json json{{"family", familyToJson(entry.family)}, {"size", entry.size}};
   if (entry.family.isCoded()) {
     json["id"] = entry.id;
   }

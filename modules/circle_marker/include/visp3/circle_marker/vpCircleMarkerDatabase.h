@@ -40,13 +40,15 @@ BEGIN_VISP_NAMESPACE
 */
 struct vpCircleMarkerEntry
 {
-  vpCircleMarkerFamily family;            //!< Its family.
-  int id = -1;                            //!< Its identity in the family; -1 for a family without code.
-  double size = 0.;                       //!< Outer diameter of its ring, metres.
-  std::string name;                       //!< What people call it; may be empty.
-  std::string payload;                    //!< Text that it carries, or the text of a JSON value; may be empty.
-  bool isPayloadJson = false;             //!< Whether the payload is structured data, as the text of a JSON value.
-  std::optional<vpHomogeneousMatrix> wMo; //!< Its pose in the world, z into the marker, metres; if it is known.
+  vpCircleMarkerFamily family; //!< Its family.
+  int id = -1;                 //!< Its identity in the family; -1 for a family without code.
+  double size = 0.;            //!< Outer diameter of its ring, metres.
+  std::string name;            //!< What people call it; may be empty.
+  std::string payload;         //!< Text that it carries, or the text of a JSON value; may be empty.
+  bool isPayloadJson = false;  //!< Whether the payload is structured data, as the text of a JSON value.
+  //! Its pose in the world, metres, if it is known; z into the marker, as vpDetectorCircleMarker's poses have it after
+  //! setZAlignedWithCameraAxis(true), and not by default.
+  std::optional<vpHomogeneousMatrix> wMo;
 };
 
 /*!
@@ -67,15 +69,18 @@ struct vpCircleMarkerEntry
     ]
   }
   \endcode
-  \e family, \e id (but for families without code) and \e size (outer diameter of the ring, metres) must be there. The
-  pose is ViSP's vpPoseVector, wMo: translation in metres, then \f$ \theta {\bf u} \f$ in radians, with z into the
-  marker, x to the right and y down as the print is seen upright (vpDetectorCircleMarker's frame after
+  \e family, \e id (but for families without code) and \e size (outer diameter of the ring, metres) must be there. A
+  family is its name; a ring of its own ratio is {"name": "ring", "ratio": 0.65}, one with other radii {"name":
+  "golay23", "layout": {"ringInner": 0.75, "codeOuter": ..., "codeInner": ..., "quietZone": ...}}, with all four of
+  them. The pose is ViSP's vpPoseVector, wMo: translation in metres, then \f$ \theta {\bf u} \f$ in radians, with z into
+  the marker, x to the right and y down as the print is seen upright (vpDetectorCircleMarker's frame after
   setZAlignedWithCameraAxis(true)).
 
   \code
   vpCircleMarkerDatabase database;
   database.load("markers.json");
   detector.setDatabase(database);
+  detector.setZAlignedWithCameraAxis(true); // as the poses of the database have it
   detector.detect(I, 0.18, cam, cMo);
   detector.getMessage(0); // "golay23 id: 5 name: door payload: wait"
   \endcode

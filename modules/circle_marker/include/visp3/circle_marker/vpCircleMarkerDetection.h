@@ -69,10 +69,10 @@ struct vpCircleMarkerDetection
   vpImageEllipse ellipse;                //!< Image of the ring's outer edge, pixels.
   vpHomogeneousMatrix cMo;               //!< The pose: the more likely solution.
   bool hasSecondPose = false;            //!< Whether there is another solution.
-  vpHomogeneousMatrix cMo2;              //!< The less likely solution, if there is one.
+  vpHomogeneousMatrix cMo2;              //!< The less likely solution; the identity if there is none.
   double cost = 0.;                      //!< Negative log-likelihood of cMo, up to a constant common to both poses.
-  double cost2 = HUGE_VAL;               //!< The same for cMo2; HUGE_VAL without a second solution.
-  double logOdds = HUGE_VAL;             //!< ln(likelihood of cMo / likelihood of cMo2).
+  double cost2 = HUGE_VAL;               //!< cost + logOdds; HUGE_VAL without a second solution.
+  double logOdds = HUGE_VAL;             //!< ln(odds of cMo against cMo2), as far as the image is as the model has it.
   vpMatrix covariance = vpMatrix(6, 6);  //!< 6 x 6 covariance of cMo, metres and radians.
   vpMatrix covariance2 = vpMatrix(6, 6); //!< The same of cMo2; zero without a second solution.
   bool isInverse = false;                //!< Whether it is white on black: see vpDetectorCircleMarker::setPolarity().
