@@ -17,6 +17,8 @@
 
 #include "testFitTools.h"
 
+#include <complex>
+
 #include "refine/camera_doubt.h"
 #include "refine/measure.h"
 
@@ -109,6 +111,46 @@ TEST(CameraDoubt, AheadItIsTheFocalLengthAndThePrincipalPoint)
   // An image that is moved is that of a camera, and what it sees, turned.
   EXPECT_NEAR(std::sqrt(fit.covariance(3, 3)), 3. / focal, 0.1 * 3. / focal);
   EXPECT_NEAR(std::sqrt(fit.covariance(4, 4)), 2. / focal, 0.1 * 2. / focal);
+}
+
+// What px and py that are off do to a small lean: its square, as a complex number, is what the image tells. Against
+// draws of the roots.
+TEST(CameraDoubt, OfAMarkerThatFacesTheCameraTheSquareOfTheLeanIsMoved)
+{
+  Random random = randomOfTest();
+  std::normal_distribution<double> normal(0., 1.);
+  constexpr double focal = 1600.;
+  constexpr double off = 1.; // pixel, of px and of py
+  vpCameraParameters parameters;
+  parameters.initPersProjWithoutDistortion(focal, focal, 319.5, 239.5);
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
+  covariance(0, 0) = covariance(1, 1) = off * off;
+  for (const double lean : {0., 0.002, 0.02, 0.05, 0.15}) {
+    const double azimuth = uniform(random, 0., 2. * M_PI);
+    MarkerPlane plane;
+    plane.center = Eigen::Vector3d(0., 0., 20.); // far away, where perspective tells nothing of it
+    plane.rotation = turn(lean, Eigen::Vector3d(-std::sin(azimuth), std::cos(azimuth), 0.));
+    plane.radius = 0.09;
+    FittedPose fit;
+    fit.plane = plane;
+    fit.covariance.setZero();
+    addCameraDoubt(covariance, family, CameraModel(parameters), fit);
+    double squares = 0.;
+    constexpr int draws = 20000;
+    const std::complex<double> before = std::polar(lean, azimuth);
+    for (int i = 0; i < draws; ++i) {
+      const double ratio = off / focal * (normal(random) - normal(random));
+      std::complex<double> after = std::sqrt(before * before + 2. * ratio);
+      after = std::abs(after - before) < std::abs(after + before) ? after : -after;
+      squares += std::norm(after - before);
+    }
+    const double expected = std::sqrt(squares / draws);
+    EXPECT_NEAR(std::sqrt(fit.covariance.bottomRightCorner<3, 3>().trace()), expected, 0.3 * expected) << lean;
+    if (lean == 0.) { // it may lean in any direction
+      EXPECT_NEAR(fit.covariance(3, 3), fit.covariance(4, 4), 0.1 * fit.covariance(4, 4));
+    }
+  }
 }
 
 TEST(CameraDoubt, TheSpinOfARingStays)

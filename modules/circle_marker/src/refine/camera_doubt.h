@@ -43,7 +43,8 @@ Eigen::Matrix<double, 6, 4> poseByCamera(const MarkerPlane &plane, const vpCircl
                                          const CameraModel &camera);
 
 /*!
-  Adds to a pose's covariance what the camera's has done to it.
+  Adds to a pose's covariance what the camera's has done to it: to first order, but for the lean of a marker that nearly
+  faces the camera, whose square it is that px / py moves.
   \param covariance : 4 x 4 covariance of (px, py, u0, v0), pixels^2; 0: the camera is known.
   \param family : The marker's family.
   \param camera : The camera.

@@ -60,6 +60,9 @@ public:
   */
   Eigen::Vector2d toPixel(const Eigen::Vector2d &meter) const;
 
+  /*! The parameters. */
+  const vpCameraParameters &getParameters() const { return m_camera; }
+
   bool isLinear() const { return m_camera.get_projModel() == vpCameraParameters::perspectiveProjWithoutDistortion; }
 
 private:
