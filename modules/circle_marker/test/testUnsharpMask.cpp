@@ -92,6 +92,33 @@ TEST(UnsharpMask, IsToldFromBothEdgesOfARing)
   }
 }
 
+// The halo depends on amount, width and blur, which are known together: its error is no less than that of all of them.
+TEST(UnsharpMask, TheHaloIsKnownNoWorseThanItSays)
+{
+  Random random = randomOfTest();
+  for (const double diameter : {50., 120.}) {
+    constexpr int draws = 100;
+    MarkerScene scene = sceneOf(random, vpCircleMarkerFamily::RING, diameter, 0.3);
+    double sum = 0.;
+    double squares = 0.;
+    double told = 0.;
+    int seen = 0;
+    for (int i = 0; i < draws; ++i) {
+      const auto I = sharpened(digitise(expose(side, side, 0.7, scene), 1., random), 1., 1.5);
+      if (const auto mask = maskIn(I, scene)) {
+        sum += mask->halo;
+        squares += mask->halo * mask->halo;
+        told += mask->error * mask->error;
+        ++seen;
+      }
+    }
+    ASSERT_GT(seen, draws * 9 / 10) << diameter;
+    const double deviation = std::sqrt(squares / seen - std::pow(sum / seen, 2.));
+    const double ratio = deviation / std::sqrt(told / seen);
+    EXPECT_LT(ratio, 1.3) << diameter;
+  }
+}
+
 TEST(UnsharpMask, ThereIsNoneInAnImageThatIsNotSharpened)
 {
   Random random = randomOfTest();

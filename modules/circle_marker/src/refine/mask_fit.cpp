@@ -90,8 +90,10 @@ UnsharpMask MaskFit::mask() const
   result.sigma = std::exp(m_theta[LN_SIGMA]);
   result.white = m_theta[WHITE];
   result.ink = m_theta[WHITE] - m_theta[CONTRAST];
-  result.halo = overshootOf(result);
-  result.error = result.halo * errorOfAmount() / result.amount;
+  result.halo = overshootAt(m_theta);
+  // What noise leaves unknown; of large rings, of which that is little, what the amount alone would be off by, because
+  // no mask is quite a Gaussian and grey levels are cut off.
+  result.error = std::max(errorOfOvershoot(), result.halo * errorOfAmount() / result.amount);
   return result;
 }
 
@@ -100,7 +102,6 @@ double MaskFit::variance() const
   return m_squares / std::max<double>(static_cast<double>(m_samples.size()) - PARAMETERS, 1.);
 }
 
-// Standard deviation of the amount.
 double MaskFit::errorOfAmount() const
 {
   const double ofProduct =
@@ -108,16 +109,31 @@ double MaskFit::errorOfAmount() const
   return std::sqrt(std::max(ofProduct, 0.)) / m_theta[CONTRAST];
 }
 
-// By how much the image of a lone edge goes beyond black, share of the contrast.
-double MaskFit::overshootOf(const UnsharpMask &mask) const
+// Standard deviation of the overshoot, by all parameters that it depends on: a narrower mask of a larger amount leaves
+// nearly the same image, and another overshoot.
+double MaskFit::errorOfOvershoot() const
 {
-  const double blur = std::exp(m_theta[LN_BLUR]);
-  const double wider = std::hypot(blur, mask.sigma);
+  Vector gradient = Vector::Zero();
+  for (const Parameter parameter : {CONTRAST, CONTRAST_TIMES_AMOUNT, LN_BLUR, LN_SIGMA}) {
+    const bool isGrey = parameter == CONTRAST || parameter == CONTRAST_TIMES_AMOUNT;
+    const double step = isGrey ? 1e-3 * m_theta[CONTRAST] : 1e-3;
+    const Vector change = step * Vector::Unit(parameter);
+    gradient[parameter] = (overshootAt(m_theta + change) - overshootAt(m_theta - change)) / (2. * step);
+  }
+  return std::sqrt(std::max(gradient.dot(m_matrix.ldlt().solve(gradient)) * variance(), 0.));
+}
+
+// By how much the image of a lone edge goes beyond black, share of the contrast.
+double MaskFit::overshootAt(const Vector &theta)
+{
+  const double amount = theta[CONTRAST_TIMES_AMOUNT] / theta[CONTRAST];
+  const double blur = std::exp(theta[LN_BLUR]);
+  const double wider = std::hypot(blur, std::exp(theta[LN_SIGMA]));
   const NormalDistribution &normal = NormalDistribution::instance();
   double most = 0.;
   for (double x = 0.; x < 2. * wider; x += 0.1 * wider) {
-    most = std::max(most, (1. + mask.amount) * normal.at(x / blur).cumulative -
-                              mask.amount * normal.at(x / wider).cumulative - 1.);
+    most =
+        std::max(most, (1. + amount) * normal.at(x / blur).cumulative - amount * normal.at(x / wider).cumulative - 1.);
   }
   return most;
 }

@@ -56,6 +56,9 @@ public:
   /*! The mask, whether it is one or not. */
   UnsharpMask mask() const;
 
+  /*! Standard deviation of the mask's amount. */
+  double errorOfAmount() const;
+
   /*! Variance of the residuals, grey levels^2. */
   double variance() const;
 
@@ -80,8 +83,8 @@ private:
   void linearise(const Vector &theta);
   void improve();
   void dropOdd();
-  double errorOfAmount() const;
-  double overshootOf(const UnsharpMask &mask) const;
+  double errorOfOvershoot() const;
+  static double overshootAt(const Vector &theta);
 
   std::vector<RingSample> m_samples;
   Vector m_theta;        // the parameters

@@ -104,7 +104,7 @@ std::optional<UnsharpMask> unsharpMaskOf(const vpImage<unsigned char> &I, const 
   }
   const UnsharpMask mask = best->mask();
   const bool isMask = mask.amount > leastAmount && mask.amount < mostAmount && mask.sigma > leastSigma &&
-                      mask.sigma < mostSigma && mask.halo > std::max(leastOvershoot, mask.error);
+                      mask.sigma < mostSigma && mask.halo > leastOvershoot && mask.amount > best->errorOfAmount();
   return isMask ? std::optional<UnsharpMask>(mask) : std::nullopt;
 }
 

@@ -45,7 +45,7 @@ struct UnsharpMask
   double white = 255.; //!< Grey level of paper beside the marker,
   double ink = 0.;     //!< and of its ink.
   double halo = 0.;    //!< By how much the image of an edge goes beyond black and white, share of the contrast.
-  double error = 0.;   //!< Standard deviation of the halo.
+  double error = 0.;   //!< Standard deviation of the halo, or more.
 };
 
 /*!
