@@ -205,7 +205,7 @@ TEST(MaximumLikelihood, ARivalIsNoReasonToGiveUpEarly)
     settings.exactBends = false;
     const auto best = fitAll(made.pixels, made.scene.plane(), made.pattern, settings);
     ASSERT_TRUE(best);
-    settings.rival = Rival{best->squares, best->noise, 90.};
+    settings.rival = Rival{best->squares, best->scale, 90.};
     const auto other = fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.08), made.pattern, settings);
     ASSERT_TRUE(other);
     EXPECT_LT(other->squares, 1.05 * best->squares) << "image " << i; // each is judged by its own noise

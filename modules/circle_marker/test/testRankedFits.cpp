@@ -81,6 +81,7 @@ struct Fits
       FittedPose fit = fitAt(asked.start);
       fit.photometry.gamma = 1.1;
       fit.noise = noise[k];
+      fit.scale = 10. * noise[k]; // as a fit may weigh its residuals by another noise than it leaves
       fit.squares = squares[k];
       fit.isSettled = isSettled[k];
       ++k;
@@ -114,21 +115,22 @@ TEST(RankedFits, EveryFitHasTheBestBeforeAsItsRival)
   EXPECT_FALSE(asked[0].settings.rival);
   ASSERT_TRUE(asked[1].settings.rival);
   EXPECT_EQ(asked[1].settings.rival->squares, 1000.);
-  EXPECT_EQ(asked[1].settings.rival->noise, 2.);
+  EXPECT_EQ(asked[1].settings.rival->scale, 20.);
   // Three times what makes a pose hopeless on few pixels: it may still catch up.
   EXPECT_EQ(asked[1].settings.rival->odds, 90.);
-  EXPECT_EQ(asked[2].settings.rival->noise, 1.5);
+  EXPECT_EQ(asked[2].settings.rival->scale, 15.);
   fits.noise = {2., 3., 2.5};
-  EXPECT_EQ(fits.askedFor(startsFrom(3), withCode, FitSettings())[2].settings.rival->noise, 2.);
+  EXPECT_EQ(fits.askedFor(startsFrom(3), withCode, FitSettings())[2].settings.rival->scale, 20.);
   // What has not settled is no measure, nor is anything without a code, where poses differ by little.
   fits.isSettled = {false, true, true};
   EXPECT_FALSE(fits.askedFor(startsFrom(2), withCode, FitSettings())[1].settings.rival);
   EXPECT_FALSE(Fits().askedFor(startsFrom(2), withoutCode, FitSettings())[1].settings.rival);
   FittedPose before = fitOf(leaning(0.3, 0.));
   before.noise = 1.7;
+  before.scale = 17.;
   const auto after = Fits().askedFor(startsFrom(2), withCode, FitSettings(), before);
   ASSERT_TRUE(after[0].settings.rival);
-  EXPECT_EQ(after[0].settings.rival->noise, 1.7);
+  EXPECT_EQ(after[0].settings.rival->scale, 17.);
 }
 
 TEST(RankedFits, TheSecondOfAClearMarkerGoesOnWithTheLightOfTheFirst)
@@ -290,5 +292,6 @@ TEST(RankedFits, SharedNoiseTakesMoreToBeHopeless)
   EXPECT_TRUE(isHopeless(fit, best, 1.));
   FittedPose before = best;
   before.noise = 1.7;
+  before.scale = 17.;
   EXPECT_EQ(Fits().askedFor(startsFrom(2), withCode, FitSettings(), before)[0].settings.rival->odds, 3. * 90.);
 }

@@ -100,6 +100,7 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
               const FitSettings &settings, FittedPose &result)
 {
   result.squares = equations.cost;
+  result.scale = noise;
   result.noise = noiseOfSquares(equations);
   result.sharing = sharingOf(settings.noise, result.noise, result.photometry.blur.sigma);
   const Explanation explanation = fit.explain(noise, mayLack * result.photometry.tellableContrast());

@@ -77,8 +77,8 @@ bool Race::isLost(const Likelihood &fit, const MarkerPlane &plane, const Photome
     return false;
   }
   const double before = m_behind;
-  m_behind = fit.costOfResiduals(plane, photometry, m_rival->noise) - m_rival->squares;
-  return m_behind > 2. * m_rival->odds * m_rival->noise * m_rival->noise && m_behind > catchingUp * before;
+  m_behind = fit.costOfResiduals(plane, photometry, m_rival->scale) - m_rival->squares;
+  return m_behind > 2. * m_rival->odds * m_rival->scale * m_rival->scale && m_behind > catchingUp * before;
 }
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

@@ -35,6 +35,7 @@ struct FittedPose
   MarkerPlane plane;
   Photometry photometry;
   double squares = 0.;     //!< Sum of squared residuals, robust, grey levels^2.
+  double scale = 0.;       //!< Standard deviation by which the residuals are weighed in that, grey levels.
   double noise = 0.;       //!< Standard deviation of the residuals that count, grey levels.
   double inliers = 0.;     //!< Share of the pixels that the model explains, in [0, 1]: Explanation.
   double correlation = 0.; //!< Between model and image, in [-1, 1].
@@ -56,7 +57,7 @@ struct FittedPose
 struct Rival
 {
   double squares = 0.; //!< See FittedPose.
-  double noise = 0.;   //!< Grey levels.
+  double scale = 0.;   //!< See FittedPose.
   double odds = 0.;    //!< Who is worse than it by these log-odds, and does not catch up, is given up.
 };
 

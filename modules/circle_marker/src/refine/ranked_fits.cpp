@@ -76,7 +76,7 @@ Few<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const Few<FitStart> 
   const auto enter = [&](const FittedPose &fit) {
     if (pattern.sectors > 0 && fit.isSettled && (!best || fit.noise < best->noise)) {
       best = fit;
-      settings.rival = Rival{fit.squares, fit.noise, givenUpOdds * fit.sharing};
+      settings.rival = Rival{fit.squares, fit.scale, givenUpOdds * fit.sharing};
     }
   };
   if (before) {
@@ -121,6 +121,7 @@ RankedFits rank(const std::vector<FitPixel> &pixels, const MarkerPattern &patter
     surround.endError = 0.; // each fit has the paper end where it is: that tells them apart
     for (FittedPose &fit : fits) {
       fit.squares = fitter.robustSquares(pixels, fit, pattern, surround, ranked.noise, exactBends);
+      fit.scale = ranked.noise;
     }
     const auto isBetter = [](const FittedPose &p, const FittedPose &q) { return p.squares < q.squares; };
     for (FittedPose *next = fits.begin(); next != fits.end(); ++next) {
