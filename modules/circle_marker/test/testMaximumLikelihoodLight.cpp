@@ -21,6 +21,39 @@ using namespace circle_marker;
 using namespace fit_test;
 using namespace room_test;
 
+// Ink that takes nearly all light, and a camera whose gamma makes a visible grey of what it leaves: on the way there a
+// fit from the light of the image, whose gamma is 1, passes through ink that takes more than all.
+TEST(MaximumLikelihoodLight, InkThatIsNearlyBlack)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I(side, side, 0);
+  constexpr double noise = 2.;
+  constexpr int count = 40;
+  for (const vpCircleMarkerFamily::vpType type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING}) {
+    const vpCircleMarkerFamily family(type);
+    for (const double contrast : {0.97, 0.985, 0.995}) {
+      double sum = 0.;
+      for (int i = 0; i < count; ++i) {
+        const int id = randomId(random, family);
+        Case made = makeCase(
+            markerScene(random, family, id, uniform(random, 50., 90.), uniform(random, 0.3, 0.9), side), id, I);
+        Light light;
+        light.level = 220.;
+        light.contrast = contrast;
+        light.gamma = 0.45;
+        fillFromModel(made, light, BlurParameters(), noise, random);
+        const auto fit =
+            fitAll(made.pixels, disturbed(made.scene.plane(), random, 0.01), made.pattern, settingsOf(family));
+        ASSERT_TRUE(fit);
+        EXPECT_LT(fit->noise, 1.2 * noise) << contrast;
+        sum += mahalanobis(*fit, made.scene.plane(), family.isCoded());
+      }
+      const double freedom = family.isCoded() ? 6. : 5.;
+      EXPECT_LT(sum / count, 1.1 * freedom + 3.5 * std::sqrt(2. * freedom / count)) << family.getName() << contrast;
+    }
+  }
+}
+
 TEST(MaximumLikelihoodLight, MotionIsNoError)
 {
   // Moved evenly by 3 pixels while the shutter is open: not the Gaussian that the model has, but nearly.

@@ -62,6 +62,25 @@ TEST(Shadow, ItsEdgeIsFound)
   }
 }
 
+// A start without any light in the shadow has equations of which some derivatives are not numbers.
+TEST(Shadow, ItLeavesSomeLight)
+{
+  Random random = randomOfTest();
+  int seen = 0;
+  for (int i = 0; i < 60; ++i) {
+    const MarkerScene scene = markerScene(random, vpCircleMarkerFamily(vpCircleMarkerFamily::GOLAY23), 5, 100.,
+                                          uniform(random, 0., 0.5), side);
+    const ImageFrame frame = scene.frame();
+    const double edge = uniform(random, -0.4, 0.4);
+    const auto share = [&](double u, double) { return u - frame.center.x() > edge * frame.size ? 0. : 1.; };
+    if (const auto shadow = seek(lit(scene, share, random), scene)) {
+      EXPECT_GE(shadow->factor, leastLightInShadow);
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 30);
+}
+
 TEST(Shadow, NoneInEvenLightOrAGradient)
 {
   Random random = randomOfTest();

@@ -62,6 +62,9 @@ struct BlurParameters
 /*! Ink, and the light's gradient, leave no less than this share of the light: no sensor tells less from none. */
 constexpr double leastLight = 1e-3;
 
+/*! And a shadow, through whose edge a fit has to see where it is darker. */
+constexpr double leastLightInShadow = 0.02;
+
 /*! A shadow with a straight, soft edge that falls on a marker: as vpSceneShadow's, in the coordinates of ImageFrame. */
 struct Shadow
 {

@@ -34,10 +34,15 @@ constexpr double mostSigma = 20.;
 constexpr double leastGamma = 0.3;
 constexpr double mostGamma = 3.3;
 // What a shadow leaves of the light, and the softness of its edge, in units of the marker's size.
-constexpr double leastFactor = 0.02;
 constexpr double mostFactor = 1.;
 constexpr double leastSoftness = 0.003;
 constexpr double mostSoftness = 1.;
+// A step that lowers gamma by more than this share of it leaves no less than this part of the share of the light that
+// ink leaves: below leastLight the image does not tell that any more. Ink that takes nearly all light, before a camera
+// with a gamma of 0.45, is blacker than black by the step from a gamma of 1, and from there no fit came back. (Halos,
+// which are blacker than black, are so at any gamma.)
+constexpr double fallOfGamma = 0.1;
+constexpr double leastOfShare = 0.2;
 // Light, ink, gamma and blur that have changed by less than this share are the same to the matrix of a pass: by as
 // much it is wrong.
 constexpr double nearLight = 0.01;
@@ -49,7 +54,8 @@ double shareAfter(double share, double step, double bend)
   if (share <= leastLight) {
     return share + step;
   }
-  return std::pow(share, std::exp(-bend)) + step + share * std::log(share) * bend;
+  const double after = std::pow(share, std::exp(-bend)) + step + share * std::log(share) * bend;
+  return after < leastLight && bend < -fallOfGamma ? std::max(after, leastOfShare * share) : after;
 }
 } // namespace
 
@@ -87,7 +93,7 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   photometry.paper.growth += step[paperAt + 3];
   if (photometry.shadow) {
     Shadow &shadow = *photometry.shadow;
-    shadow.factor = std::clamp(shareAfter(shadow.factor, step[shadowAt], bend), leastFactor, mostFactor);
+    shadow.factor = std::clamp(shareAfter(shadow.factor, step[shadowAt], bend), leastLightInShadow, mostFactor);
     shadow.direction += step[shadowAt + 1];
     shadow.edge += step[shadowAt + 2];
     shadow.softness = std::clamp(shadow.softness + step[shadowAt + 3], leastSoftness, mostSoftness);

@@ -64,7 +64,7 @@ std::optional<Shadow> shadowOn(const vpImage<unsigned char> &I, const CameraMode
     toDark = -toDark;
   }
   Shadow shadow;
-  shadow.factor = light.getFactor();
+  shadow.factor = std::max(light.getFactor(), leastLightInShadow);
   shadow.direction = std::atan2(toDark.y(), toDark.x());
   shadow.edge = toDark.dot(p);
   shadow.softness = softnessAtStart(frame.size);
