@@ -37,11 +37,11 @@ constexpr double mostGamma = 3.3;
 constexpr double mostFactor = 1.;
 constexpr double leastSoftness = 0.003;
 constexpr double mostSoftness = 1.;
-// A step that lowers gamma by more than this share of it leaves no less than this part of the share of the light that
-// ink leaves: below leastLight the image does not tell that any more. Ink that takes nearly all light, before a camera
-// with a gamma of 0.45, is blacker than black by the step from a gamma of 1, and from there no fit came back. (Halos,
-// which are blacker than black, are so at any gamma.)
-constexpr double fallOfGamma = 0.1;
+// A step that lowers the logarithm of gamma by more than this leaves no less than this part of the share of the light
+// that ink leaves: below leastLight the image does not tell that any more. Ink that takes nearly all light, before a
+// camera with a gamma of 0.45, is blacker than black by the step from a gamma of 1, and from there no fit came back.
+// (Halos, which are blacker than black, are so at any gamma. With 0.1 one of 60 rings of another ratio was explained.)
+constexpr double fallOfGamma = 0.3;
 constexpr double leastOfShare = 0.2;
 // Light, ink, gamma and blur that have changed by less than this share are the same to the matrix of a pass: by as
 // much it is wrong.

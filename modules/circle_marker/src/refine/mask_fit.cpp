@@ -92,8 +92,10 @@ UnsharpMask MaskFit::mask() const
   result.ink = m_theta[WHITE] - m_theta[CONTRAST];
   result.halo = overshootAt(m_theta);
   // What noise leaves unknown; of large rings, of which that is little, what the amount alone would be off by, because
-  // no mask is quite a Gaussian and grey levels are cut off.
-  result.error = std::max(errorOfOvershoot(), result.halo * errorOfAmount() / result.amount);
+  // no mask is quite a Gaussian and grey levels are cut off. No more than all of it: where most of them are, the
+  // equations may know nothing.
+  const double ofAmount = result.halo * errorOfAmount() / result.amount;
+  result.error = std::min(std::max(ofAmount, errorOfOvershoot()), result.halo);
   return result;
 }
 
@@ -120,7 +122,7 @@ double MaskFit::errorOfOvershoot() const
     const Vector change = step * Vector::Unit(parameter);
     gradient[parameter] = (overshootAt(m_theta + change) - overshootAt(m_theta - change)) / (2. * step);
   }
-  return std::sqrt(std::max(gradient.dot(m_matrix.ldlt().solve(gradient)) * variance(), 0.));
+  return std::sqrt(std::max(0., gradient.dot(m_matrix.ldlt().solve(gradient)) * variance())); // 0 of what is no number
 }
 
 // By how much the image of a lone edge goes beyond black, share of the contrast.
