@@ -91,9 +91,9 @@ UnsharpMask MaskFit::mask() const
   result.white = m_theta[WHITE];
   result.ink = m_theta[WHITE] - m_theta[CONTRAST];
   result.halo = overshootAt(m_theta);
-  // What noise leaves unknown; of large rings, of which that is little, what the amount alone would be off by, because
-  // no mask is quite a Gaussian and grey levels are cut off. No more than all of it: where most of them are, the
-  // equations may know nothing.
+  // What noise leaves unknown; of large rings, of which that is little, what the amount alone is off by: with the first
+  // alone the covariance was somewhat too small (testDetectorHalo). No more than all of it: where most grey levels are
+  // cut off, the equations may know nothing.
   const double ofAmount = result.halo * errorOfAmount() / result.amount;
   result.error = std::min(std::max(ofAmount, errorOfOvershoot()), result.halo);
   return result;
