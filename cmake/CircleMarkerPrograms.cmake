@@ -13,9 +13,29 @@
 # WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
 #
 # Description:
-# Programs from one file or from a folder of files.
+# What programs need, and programs from one file or from a folder of files.
 #
 #############################################################################
+
+# circle_marker_find_visp_or_return(<what> <module>...): finds ViSP with the modules and CLI11 and nlohmann-json, or says
+# that <what> is left out and returns from the file that calls it (a macro, so that its return() is the caller's). In
+# ViSP's own build a module may be switched off, or left out for want of what it needs.
+macro(circle_marker_find_visp_or_return what)
+  foreach(module ${ARGN})
+    if(DEFINED VISP_MODULES_BUILD AND NOT module IN_LIST VISP_MODULES_BUILD)
+      message(STATUS "${what} are left out: they need ${module}")
+      return()
+    endif()
+  endforeach()
+  find_package(VISP REQUIRED ${ARGN})
+  find_package(Threads REQUIRED)
+  find_package(CLI11 QUIET)
+  find_package(nlohmann_json QUIET)
+  if(NOT TARGET CLI11::CLI11 OR NOT TARGET nlohmann_json::nlohmann_json)
+    message(WARNING "${what} are left out: they need CLI11 and nlohmann-json")
+    return()
+  endif()
+endmacro()
 
 # circle_marker_add_program(<name> <library>...): the program <name> from <name>.cpp or from <name>/*.cpp, linked with
 # ViSP and the libraries. Programs beside each other share the headers of common/, as "common/...", and all have those of

@@ -36,8 +36,9 @@ EdgeEquations::Seen EdgeEquations::add(const MarkerEdge &edge)
   byPoint /= p.z();
   Eigen::Matrix<double, 3, 6> pointByPose; // the point moves by t + w x arm
   pointByPose << Eigen::Matrix3d::Identity(), crossMatrix(-arm);
-  const Eigen::Vector2d tangent = byPoint * (m_plane.rotation.leftCols<2>() * edge.along);
   Seen seen;
+  seen.byPlace = m_plane.radius * (byPoint * m_plane.rotation.leftCols<2>());
+  const Eigen::Vector2d tangent = seen.byPlace * edge.along;
   seen.meter = p.head<2>() / p.z();
   seen.across = Eigen::RowVector2d(-tangent.y(), tangent.x()).normalized();
   seen.byPose = (seen.across * byPoint * pointByPose).transpose();

@@ -34,6 +34,9 @@ struct MarkerEdge
 {
   Eigen::Vector2d place; //!< In the marker's plane, outer radii.
   Eigen::Vector2d along; //!< Direction of the edge there, unit vector.
+  //! To the other side of the line that it is a side of: across the ring, or the mean run of sectors alike; outer
+  //! radii.
+  Eigen::Vector2d toOther;
 };
 
 /*!
@@ -46,11 +49,15 @@ template <typename Visitor> void forEachEdge(const MarkerPattern &pattern, Visit
   // Points along each circle, and along each border between sectors: the least squares of smooth functions.
   constexpr int pointsOfCircle = 32;
   constexpr int pointsOfBorder = 2;
+  constexpr double meanRun = 2.; // sectors, where each is as often black as white
   for (unsigned int ring = 0; ring < pattern.ringEdges; ++ring) {
+    const double radius = pattern.ring[ring].radius;
+    const double other = pattern.ringEdges > 1 ? pattern.ring[1 - ring].radius : -radius; // of a disc, the far side
     for (int i = 0; i < pointsOfCircle; ++i) {
       const double angle = 2. * M_PI * i / pointsOfCircle;
       const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-      visit(MarkerEdge{pattern.ring[ring].radius * direction, Eigen::Vector2d(-direction.y(), direction.x())});
+      const Eigen::Vector2d along(-direction.y(), direction.x());
+      visit(MarkerEdge{radius * direction, along, (other - radius) * direction});
     }
   }
   for (unsigned int k = 0; k < pattern.sectors; ++k) {
@@ -58,7 +65,8 @@ template <typename Visitor> void forEachEdge(const MarkerPattern &pattern, Visit
     for (int i = 0; i < pointsOfBorder; ++i) {
       const double share = (i + 0.5) / pointsOfBorder;
       const double radius = pattern.track[1].radius + share * (pattern.track[0].radius - pattern.track[1].radius);
-      visit(MarkerEdge{radius * direction, direction});
+      const double run = meanRun * 2. * M_PI * radius / pattern.sectors;
+      visit(MarkerEdge{radius * direction, direction, run * pattern.across[k]});
     }
   }
 }
@@ -82,6 +90,7 @@ public:
     Eigen::Vector2d meter;              //!< Where it is, normalised coordinates.
     Eigen::RowVector2d across;          //!< The edge's unit normal n there.
     Eigen::Matrix<double, 6, 1> byPose; //!< Derivative of n^T m by (t, w).
+    Eigen::Matrix2d byPlace;            //!< Derivative of m by the place in the marker's plane, outer radii.
   };
 
   /*! Adds a point; it must be in front of the camera. What moves it adds byPose times n^T moved to a right side. */
