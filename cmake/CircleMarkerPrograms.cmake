@@ -17,9 +17,9 @@
 #
 #############################################################################
 
-# circle_marker_find_visp_or_return(<what> <module>...): finds ViSP with the modules and CLI11 and nlohmann-json, or says
-# that <what> is left out and returns from the file that calls it (a macro, so that its return() is the caller's). In
-# ViSP's own build a module may be switched off, or left out for want of what it needs.
+# circle_marker_find_visp_or_return(<what> <module>...): finds ViSP with the modules, or says that <what> is left out and
+# returns from the file that calls it (a macro, so that its return() is the caller's). In ViSP's own build a module may be
+# switched off, or left out for want of what it needs.
 macro(circle_marker_find_visp_or_return what)
   foreach(module ${ARGN})
     if(DEFINED VISP_MODULES_BUILD AND NOT module IN_LIST VISP_MODULES_BUILD)
@@ -28,6 +28,10 @@ macro(circle_marker_find_visp_or_return what)
     endif()
   endforeach()
   find_package(VISP REQUIRED ${ARGN})
+endmacro()
+
+# circle_marker_find_command_line_or_return(<what>): finds what reads command lines and JSON in the same manner.
+macro(circle_marker_find_command_line_or_return what)
   find_package(Threads REQUIRED)
   find_package(CLI11 QUIET)
   find_package(nlohmann_json QUIET)

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <fstream>
+#include <map>
 
 #include <visp3/core/vpException.h>
 
@@ -129,6 +130,37 @@ TEST(DetectorErrors, SettingsOutOfRange)
     EXPECT_EQ(codeOf([&] { detector.setMinimumMargin(wrong); }), vpException::badValue);
   }
   EXPECT_EQ(detector.getFamilies().size(), 1u);
+}
+
+// What is set, is read from a file or is refused is what the detector tells, and so does its copy.
+TEST(DetectorErrors, SettingsAreTold)
+{
+  vpDetectorCircleMarker detector;
+  EXPECT_TRUE(detector.getMarkerSizes().empty());
+  EXPECT_EQ(detector.getMaximumHammingDistance(), 2u);
+  EXPECT_EQ(detector.getMinimumMargin(), 0.6);
+  EXPECT_EQ(detector.getNbThreads(), 1u);
+  EXPECT_FALSE(detector.getTracking());
+  EXPECT_EQ(detector.getFullSearchPeriod(), 10u);
+  EXPECT_TRUE(detector.getRefinePose());
+  const std::map<int, double> sizes{{-1, 0.1}, {4, 0.3}};
+  detector.setMarkerSizes(sizes);
+  detector.setMaximumHammingDistance(1);
+  detector.setMinimumMargin(0.75);
+  detector.setNbThreads(3);
+  detector.setTracking(true, 5);
+  detector.setRefinePose(false);
+  EXPECT_THROW(detector.setMinimumMargin(2.), vpException);
+  EXPECT_THROW(detector.setNbThreads(0), vpException);
+  EXPECT_THROW(detector.setTracking(false, 0), vpException);
+  const vpDetectorCircleMarker copy(detector);
+  EXPECT_EQ(copy.getMarkerSizes(), sizes);
+  EXPECT_EQ(copy.getMaximumHammingDistance(), 1u);
+  EXPECT_EQ(copy.getMinimumMargin(), 0.75);
+  EXPECT_EQ(copy.getNbThreads(), 3u);
+  EXPECT_TRUE(copy.getTracking());
+  EXPECT_EQ(copy.getFullSearchPeriod(), 5u);
+  EXPECT_FALSE(copy.getRefinePose());
 }
 
 TEST(DetectorErrors, ConfigurationFiles)

@@ -190,8 +190,12 @@ TEST(DetectorReasons, WithoutTimeTheReasonIsThat)
     isHasty = rejected.empty() || std::any_of(rejected.begin(), rejected.end(), [](const vpCircleMarkerCandidate &c) {
                 return c.reason == Reject::TIMEOUT;
               });
+    EXPECT_TRUE(detector.hasTimedOut() || !isHasty);
   }
   EXPECT_TRUE(isHasty);
+  detector.setTimeout(0); // for ever
+  detector.detect(I);
+  EXPECT_FALSE(detector.hasTimedOut());
 }
 
 // Whenever the time is over, nothing is said to lie inside of a marker that was not found.

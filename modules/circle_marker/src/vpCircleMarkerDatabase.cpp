@@ -54,8 +54,8 @@ void vpCircleMarkerDatabase::save(const std::string &filename) const
   Adds a marker.
 
   \param entry : What is known of it.
-  \exception vpException::badValue : If its family has no such id, its size is not positive, its pose not finite, or if
-  it is there already.
+  \exception vpException::badValue : If its family has no such id, its size is not positive, its pose not finite, its
+  payload not the JSON that it is said to be, or if it is there already.
 */
 void vpCircleMarkerDatabase::add(const vpCircleMarkerEntry &entry)
 {

@@ -154,6 +154,7 @@ void vpDetectorCircleMarker::Impl::forgetResults() noexcept
   found.clear();
   detections.clear();
   outlineCount = 0;
+  hasTimedOut = false;
   searched.clear();
   debug = vpCircleMarkerDebug();
   m_inverse.clear();
@@ -242,7 +243,8 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I)
   \exception vpException::fatalError : If the system does not give the threads of setNbThreads().
 
   After the time of setTimeout() (none by default) a search ends with the markers found by then, and returns whether
-  there are any; with setDebug() a rejected candidate has TIMEOUT for a reason if anything was left.
+  there are any; hasTimedOut() tells that it did, and with setDebug() a rejected candidate has TIMEOUT for a reason if
+  anything was left.
 
   After an exception for the image or the size the detector has the markers of the image before; after any other, want
   of memory for instance, it has none, and markers are not followed any more.
@@ -265,7 +267,9 @@ bool vpDetectorCircleMarker::detectWith(const vpImage<unsigned char> &I, double 
   circle_marker::checkMarkerSize(size);
   checkImageSize(I);
   try {
-    m_impl->detect(I, size, cam, isCameraGuessed, circle_marker::Deadline(static_cast<double>(m_timeout_ms)));
+    const circle_marker::Deadline deadline(static_cast<double>(m_timeout_ms));
+    m_impl->detect(I, size, cam, isCameraGuessed, deadline);
+    m_impl->hasTimedOut = deadline.hasPassed();
     fillOutputs(cMo_vec, cMo_vec2, projErrors, projErrors2);
   }
   catch (...) {

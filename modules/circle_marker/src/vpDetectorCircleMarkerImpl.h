@@ -75,6 +75,7 @@ public:
   std::vector<vpCircleMarkerDetection> detections; //!< The same, as the user sees them.
   vpImage<unsigned char> image;                    //!< The last image around its markers, for getPose().
   unsigned int outlineCount = 0;                   //!< Outlines of the last image that were looked at.
+  bool hasTimedOut = false;                        //!< Whether its time was over before its search ended.
   std::vector<vpRect> searched;                    //!< Where the last image was searched.
   bool keepsDebug = false;                         //!< Whether what the rooms see is kept.
   vpCircleMarkerDebug debug;                       //!< What they saw in the last image.

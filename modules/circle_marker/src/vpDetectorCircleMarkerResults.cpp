@@ -82,6 +82,15 @@ unsigned int vpDetectorCircleMarker::getNbOutlines() const
 }
 
 /*!
+  \return Whether the time of setTimeout() was over before the last detect() ended, so that markers of the image may be
+  missing. Where it was over during the very last steps none is.
+*/
+bool vpDetectorCircleMarker::hasTimedOut() const
+{
+  return m_impl->hasTimedOut;
+}
+
+/*!
   \return Number of sectors of the code that were read otherwise and had to be corrected. 0 of one whose sectors are too
   small to be read one by one; sectors that were not seen do not count.
   \exception vpException::badValue : If there is no such marker.

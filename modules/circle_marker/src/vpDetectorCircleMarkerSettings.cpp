@@ -98,6 +98,14 @@ void vpDetectorCircleMarker::setMarkerSizes(const std::map<int, double> &sizes)
 }
 
 /*!
+  \return Sizes of single markers, metres, by id: see setMarkerSizes().
+*/
+std::map<int, double> vpDetectorCircleMarker::getMarkerSizes() const
+{
+  return m_impl->settings.sizes;
+}
+
+/*!
   \param distance : Most sectors of a code that are corrected (2 by default): that were read, and against the code. The
   more are wrong the less the image looks like the marker, which is demanded, too: of golay23 hardly one with three is
   found at any distance. Sectors that are not seen are not corrected; one in plain sight that is of the other colour is,
@@ -109,6 +117,14 @@ void vpDetectorCircleMarker::setMarkerSizes(const std::map<int, double> &sizes)
 void vpDetectorCircleMarker::setMaximumHammingDistance(unsigned int distance)
 {
   m_impl->settings.decode.maximumHamming = distance;
+}
+
+/*!
+  \return Most sectors of a code that are corrected: see setMaximumHammingDistance().
+*/
+unsigned int vpDetectorCircleMarker::getMaximumHammingDistance() const
+{
+  return m_impl->settings.decode.maximumHamming;
 }
 
 /*!
@@ -132,6 +148,14 @@ void vpDetectorCircleMarker::setMinimumMargin(double margin)
 }
 
 /*!
+  \return Least decision margin of a code, from 0 to 1: see setMinimumMargin().
+*/
+double vpDetectorCircleMarker::getMinimumMargin() const
+{
+  return m_impl->settings.decode.minimumMargin;
+}
+
+/*!
   \param threads : Number of threads, from 1 to 1024; 1 by default. They are started by the next detect(), which throws
   vpException::fatalError if the system does not give so many.
   \exception vpException::badValue : If it is another.
@@ -146,6 +170,14 @@ void vpDetectorCircleMarker::setNbThreads(unsigned int threads)
 }
 
 /*!
+  \return Number of threads: see setNbThreads().
+*/
+unsigned int vpDetectorCircleMarker::getNbThreads() const
+{
+  return m_impl->settings.threads;
+}
+
+/*!
   \param refine : Whether poses are refined on the grey levels around the marker's edges (the default), or left as the
   closed form of vpPoseCircle gives them, which takes less time. Their errors are then up to a hundred times as large,
   and the mirrored pose comes first more often; the covariance and the log-odds say so, but for discs that are strongly
@@ -157,6 +189,14 @@ void vpDetectorCircleMarker::setNbThreads(unsigned int threads)
 void vpDetectorCircleMarker::setRefinePose(bool refine)
 {
   m_impl->settings.refinePose = refine;
+}
+
+/*!
+  \return Whether poses are refined on the grey levels: see setRefinePose().
+*/
+bool vpDetectorCircleMarker::getRefinePose() const
+{
+  return m_impl->settings.refinePose;
 }
 
 /*!

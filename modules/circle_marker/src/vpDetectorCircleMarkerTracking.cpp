@@ -240,6 +240,22 @@ void vpDetectorCircleMarker::setTracking(bool tracking, unsigned int fullSearchP
 }
 
 /*!
+  \return Whether markers are followed from image to image: see setTracking().
+*/
+bool vpDetectorCircleMarker::getTracking() const
+{
+  return m_impl->settings.tracking;
+}
+
+/*!
+  \return Every so many images the whole one is searched where markers are followed: see setTracking().
+*/
+unsigned int vpDetectorCircleMarker::getFullSearchPeriod() const
+{
+  return m_impl->settings.fullSearchPeriod;
+}
+
+/*!
   \return Where the last image was searched for markers, pixels: the whole of it, or regions around those that are
   followed (see setTracking()).
 */

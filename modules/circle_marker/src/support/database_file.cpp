@@ -50,6 +50,13 @@ void checkEntry(const vpCircleMarkerEntry &entry)
                         describe(entry.family, entry.id).c_str());
     }
   }
+#ifdef VISP_CIRCLE_MARKER_HAVE_JSON
+  if (entry.isPayloadJson && !entry.payload.empty() && !nlohmann::json::accept(entry.payload)) {
+    throw vpException(vpException::badValue,
+                      "the payload of %s is said to be JSON and is none; mend it, or leave isPayloadJson false",
+                      describe(entry.family, entry.id).c_str());
+  }
+#endif
 }
 
 std::string describe(const vpCircleMarkerFamily &family, int id)

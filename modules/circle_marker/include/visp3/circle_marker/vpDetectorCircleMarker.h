@@ -103,6 +103,7 @@ public:
   double getMargin(size_t index) const;
   unsigned int getHammingDistance(size_t index) const;
   unsigned int getNbOutlines() const;
+  bool hasTimedOut() const;
   std::vector<int> getTagsId() const;
   std::vector<std::vector<vpImagePoint>> getTagsCorners() const;
   std::vector<std::vector<vpPoint>> getTagsPoints3D(const std::vector<int> &tagsId,
@@ -119,13 +120,20 @@ public:
   void setDatabase(const vpCircleMarkerDatabase &database);
   const vpCircleMarkerDatabase &getDatabase() const;
   void setMarkerSizes(const std::map<int, double> &sizes);
+  std::map<int, double> getMarkerSizes() const;
   void setMaximumHammingDistance(unsigned int distance);
+  unsigned int getMaximumHammingDistance() const;
   void setMinimumMargin(double margin);
+  double getMinimumMargin() const;
   void setNbThreads(unsigned int threads);
+  unsigned int getNbThreads() const;
   void setPolarity(vpCircleMarkerPolarity polarity);
   vpCircleMarkerPolarity getPolarity() const;
   void setTracking(bool tracking, unsigned int fullSearchPeriod = 10);
+  bool getTracking() const;
+  unsigned int getFullSearchPeriod() const;
   void setRefinePose(bool refine);
+  bool getRefinePose() const;
   void setCameraCovariance(const vpMatrix &covariance);
   vpMatrix getCameraCovariance() const;
   void setZAlignedWithCameraAxis(bool aligned);
