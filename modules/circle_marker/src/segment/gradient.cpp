@@ -53,19 +53,35 @@ struct ThreeRows
   const unsigned char *below;
 };
 
+// Sums and differences of the three rows: all pixels of a row share them with their neighbours, so that each is made
+// once and not for the left, the middle and the right.
+struct RowSums
+{
+  std::vector<short> smoothed; // above + 2 here + below
+  std::vector<short> steps;    // below - above
+};
+
+void sumRows(const ThreeRows &rows, int width, RowSums &sums)
+{
+  const auto [above, here, below] = rows;
+  short *smoothed = sums.smoothed.data();
+  short *steps = sums.steps.data();
+  for (int x = 0; x < width; ++x) {
+    smoothed[x] = static_cast<short>(above[x] + 2 * here[x] + below[x]);
+    steps[x] = static_cast<short>(below[x] - above[x]);
+  }
+}
+
 // Gradients of a row; where chains may start in it, too, if that is asked. Plain arithmetic in 16 bits and no branch:
 // compilers make vector instructions of it.
 template <bool marksStarts>
-void sobelRow(const ThreeRows &rows, int width, short least, GradientVector *out, std::uint8_t *strong)
+void sobelRow(const RowSums &sums, int width, short least, GradientVector *out, std::uint8_t *strong)
 {
-  const auto [above, here, below] = rows;
+  const short *smoothed = sums.smoothed.data();
+  const short *steps = sums.steps.data();
   for (int x = 1; x < width - 1; ++x) {
-    const short left = static_cast<short>(above[x - 1] + 2 * here[x - 1] + below[x - 1]);
-    const short right = static_cast<short>(above[x + 1] + 2 * here[x + 1] + below[x + 1]);
-    const short top = static_cast<short>(above[x - 1] + 2 * above[x] + above[x + 1]);
-    const short bottom = static_cast<short>(below[x - 1] + 2 * below[x] + below[x + 1]);
-    const short dx = static_cast<short>(right - left);
-    const short dy = static_cast<short>(bottom - top);
+    const short dx = static_cast<short>(smoothed[x + 1] - smoothed[x - 1]);
+    const short dy = static_cast<short>(steps[x - 1] + 2 * steps[x] + steps[x + 1]);
     out[x].dx = dx;
     out[x].dy = dy;
     if (marksStarts) {
@@ -95,6 +111,8 @@ void computeRows(const vpImage<unsigned char> &I, int firstRow, int endRow, Grad
 {
   const int width = gradient.width;
   const short least = leastComponentOf(gradient);
+  RowSums sums = {std::vector<short>(static_cast<std::size_t>(width)),
+                  std::vector<short>(static_cast<std::size_t>(width))};
   for (int y = firstRow; y < endRow; ++y) {
     const bool hasStarts = y % rowsBetweenStarts == firstStartRow;
     GradientVector *out = gradient.vectors.data() + gradient.index(0, y);
@@ -107,16 +125,16 @@ void computeRows(const vpImage<unsigned char> &I, int firstRow, int endRow, Grad
       continue;
     }
     const auto row = static_cast<unsigned int>(y);
-    const ThreeRows rows = {I[row - 1], I[row], I[row + 1]};
+    sumRows({I[row - 1], I[row], I[row + 1]}, width, sums);
     out[0] = {0, 0};
     out[width - 1] = {0, 0};
     if (hasStarts) {
       strong[0] = 0;
       strong[width - 1] = 0;
-      sobelRow<true>(rows, width, least, out, strong);
+      sobelRow<true>(sums, width, least, out, strong);
     }
     else {
-      sobelRow<false>(rows, width, least, out, nullptr);
+      sobelRow<false>(sums, width, least, out, nullptr);
     }
   }
 }
