@@ -275,8 +275,17 @@ private:
   std::array<Ahead, 2 * sectors> m_ahead; // by the sector of an edge, backward and forward
 };
 
-// Pixels whose bytes fill a word.
+// Pixels whose bytes fill a word, and so many that are passed at once where the gradient is weak: nearly everywhere.
 constexpr int pixelsAtOnce = 8;
+constexpr int pixelsPassed = 4 * pixelsAtOnce;
+
+// Whether the gradient of none of so many pixels is strong enough to start a chain; without a look at what is visited.
+bool isWeak(const std::uint8_t *strong)
+{
+  std::array<std::uint64_t, pixelsPassed / pixelsAtOnce> words;
+  std::memcpy(words.data(), strong, sizeof(words));
+  return (words[0] | words[1] | words[2] | words[3]) == 0;
+}
 
 // Whether a chain may start at one of so many pixels.
 bool mayStart(const std::uint8_t *strong, const std::uint8_t *visited)
@@ -299,6 +308,9 @@ void linkEdgeChains(const Gradient &gradient, std::size_t shortest, EdgeChains &
     const std::size_t row = gradient.index(0, y);
     const std::uint8_t *visited = result.visited.data() + row;
     for (int first = 0; first < gradient.width; first += pixelsAtOnce) {
+      while (first + pixelsPassed <= gradient.width && isWeak(strong + first)) {
+        first += pixelsPassed;
+      }
       const int count = std::min(pixelsAtOnce, gradient.width - first);
       if (count == pixelsAtOnce && !mayStart(strong + first, visited + first)) {
         continue;
