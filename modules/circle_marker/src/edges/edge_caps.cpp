@@ -40,14 +40,15 @@ constexpr std::ptrdiff_t capReach = 230;
 constexpr std::ptrdiff_t turnStride = 4;
 constexpr double concaveTangent = 0.55;
 
-double crossOf(const GradientVector &p, const GradientVector &q)
+// Whole numbers, of two million at most: what is only asked for its sign, which is most, is not made a fraction.
+int crossOf(const GradientVector &p, const GradientVector &q)
 {
-  return static_cast<double>(p.dx) * q.dy - static_cast<double>(p.dy) * q.dx;
+  return p.dx * q.dy - p.dy * q.dx;
 }
 
-double dotOf(const GradientVector &p, const GradientVector &q)
+int dotOf(const GradientVector &p, const GradientVector &q)
 {
-  return static_cast<double>(p.dx) * q.dx + static_cast<double>(p.dy) * q.dy;
+  return p.dx * q.dx + p.dy * q.dy;
 }
 
 // The pixels of a chain by their number, which goes round where the chain is closed.
@@ -102,14 +103,14 @@ public:
     }
     const GradientVector before = at(i - reach);
     const GradientVector after = at(i + reach);
-    const double dot = dotOf(before, after);
-    if (dot >= 0. || dot * dot < squaredCosine * before.squared() * after.squared()) {
+    const int dot = dotOf(before, after);
+    if (dot >= 0 || static_cast<double>(dot) * dot < squaredCosine * before.squared() * after.squared()) {
       return 0;
     }
     const GradientVector middle = at(i);
-    const double first = crossOf(before, middle);
-    const double last = crossOf(middle, after);
-    return first > 0. && last > 0. ? 1 : first < 0. && last < 0. ? -1 : 0;
+    const int first = crossOf(before, middle);
+    const int last = crossOf(middle, after);
+    return first > 0 && last > 0 ? 1 : first < 0 && last < 0 ? -1 : 0;
   }
 
   // The first pixel before which the edge does not turn back for a while: no turn goes on beyond it. The number of
@@ -131,8 +132,8 @@ public:
     for (std::ptrdiff_t k = 0; k + turnStride <= reach; ++k) {
       const GradientVector here = at(tip + k * step);
       const GradientVector next = at(tip + (k + turnStride) * step);
-      const double convex = static_cast<double>(turn * step) * crossOf(here, next);
-      if (convex < -concaveTangent * std::max(dotOf(here, next), 0.)) {
+      const int convex = turn * static_cast<int>(step) * crossOf(here, next);
+      if (convex < 0 && convex < -concaveTangent * std::max(dotOf(here, next), 0)) {
         return k;
       }
     }

@@ -18,6 +18,7 @@
 #include "ellipse/cap_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
@@ -36,6 +37,8 @@ constexpr double leastPixels = 1.;
 constexpr double mostBeside = 0.21;
 constexpr double mostOff = 1.5;
 constexpr double leastBeside = 0.5;
+// Caps whose outlooks are compared with that of one in a row.
+constexpr std::size_t capsAtOnce = 64;
 
 // The number of the band of rows, as high as the longest narrow thing, that a cap lies in.
 double bandOf(const EdgeCap &cap)
@@ -73,6 +76,59 @@ bool lookApart(const CapOutlook &one, const CapOutlook &other)
   const int isLong = static_cast<int>(squared >= shortestNarrow * shortestNarrow) &
                      static_cast<int>(squared <= longestNarrow * longestNarrow);
   return (isSame & looksAway & isAlong & isLong) != 0;
+}
+
+void CapOutlooks::clear()
+{
+  for (std::vector<double> *numbers : {&m_tipU, &m_tipV, &m_axisU, &m_axisV, &m_side}) {
+    numbers->clear();
+  }
+}
+
+void CapOutlooks::add(const EdgeCap &cap)
+{
+  m_tipU.push_back(cap.tip.x());
+  m_tipV.push_back(cap.tip.y());
+  m_axisU.push_back(cap.axis.x());
+  m_axisV.push_back(cap.axis.y());
+  m_side.push_back(cap.isDark ? 1. : -1.);
+}
+
+void CapOutlooks::findApart(std::size_t one, std::size_t begin, std::size_t end, std::vector<std::size_t> &apart) const
+{
+  apart.clear();
+  const double tipU = m_tipU[one];
+  const double tipV = m_tipV[one];
+  const double axisU = m_axisU[one];
+  const double axisV = m_axisV[one];
+  const double side = m_side[one];
+  std::array<double, capsAtOnce> marks; // above 0 where a pair is to be looked at
+  for (std::size_t first = begin; first < end; first += capsAtOnce) {
+    const std::size_t count = std::min(capsAtOnce, end - first);
+    const double *u = m_tipU.data() + first;
+    const double *v = m_tipV.data() + first;
+    const double *outU = m_axisU.data() + first;
+    const double *outV = m_axisV.data() + first;
+    const double *otherSide = m_side.data() + first;
+    // Without a branch: compilers make vector instructions of it.
+    for (std::size_t k = 0; k < count; ++k) {
+      const double alongU = tipU - u[k];
+      const double alongV = tipV - v[k];
+      const double squared = alongU * alongU + alongV * alongV;
+      const double out = alongU * axisU + alongV * axisV;
+      const double otherOut = -(alongU * outU[k] + alongV * outV[k]);
+      const double least = leastAlong * leastAlong * squared;
+      const double nearest = out < otherOut ? out : otherOut; // both look away if the less does, and far enough
+      const bool isApart = (nearest > 0.) & (nearest * nearest >= least) & (side * otherSide[k] > 0.) &
+                           (squared >= shortestNarrow * shortestNarrow) & (squared <= longestNarrow * longestNarrow);
+      marks[k] = isApart ? 1. : -1.;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      if (marks[k] > 0.) {
+        apart.push_back(first + k);
+      }
+    }
+  }
 }
 
 bool mayBeEnds(const EdgeChains &chains, const EdgeCap &one, const EdgeCap &other)

@@ -43,6 +43,29 @@ struct CapOutlook
   too long nor too short. */
 bool lookApart(const CapOutlook &one, const CapOutlook &other);
 
+/*! The outlooks of many caps, number by number: as many pairs as fit into a register are looked at together. */
+class CapOutlooks
+{
+public:
+  void clear();
+  void add(const EdgeCap &cap);
+
+  /*!
+    Numbers of the caps of a run that look apart from one of them: see lookApart().
+    \param one : Number of that cap.
+    \param begin, end : Half-open range of the run.
+    \param apart : The numbers, in their order.
+  */
+  void findApart(std::size_t one, std::size_t begin, std::size_t end, std::vector<std::size_t> &apart) const;
+
+private:
+  std::vector<double> m_tipU;
+  std::vector<double> m_tipV;
+  std::vector<double> m_axisU;
+  std::vector<double> m_axisV;
+  std::vector<double> m_side; // 1: dark, -1: bright
+};
+
 /*!
   Whether two caps may be the ends of one thing: dark or bright both, they look away from each other, together they are
   most of an outline, and their sides lie to either side of the line from tip to tip, not too far from it.

@@ -89,6 +89,7 @@ struct EllipseMemory
     std::vector<EdgePoint> points;
     std::vector<ConvexArc> arcs;
     ReusedList<EdgeCap> caps;
+    std::vector<std::size_t> apart; //!< Numbers of caps.
     std::vector<CapPair> pairs;
     std::vector<DarkDot> dots;
     std::vector<DotRing> rings;
@@ -101,7 +102,7 @@ struct EllipseMemory
   std::vector<Proposal *> proposals; //!< Of all workspaces, in the order of their chains.
   std::vector<LooseArc *> loose;     //!< Of all workspaces, the longest first.
   std::vector<const EdgeCap *> caps; //!< Of all workspaces.
-  std::vector<CapOutlook> outlooks;  //!< Theirs.
+  CapOutlooks outlooks;              //!< Theirs.
   std::vector<Around> around;        //!< One per cap.
   std::vector<CapPair> pairs;        //!< Of caps.
   std::vector<DarkDot> dots;         //!< Of all workspaces.

@@ -93,7 +93,7 @@ EllipseReject putTogether(const EllipseSearch &search, const EllipseMemory::CapP
 std::size_t gatherCaps(const EllipseSearch &search)
 {
   std::vector<const EdgeCap *> &caps = search.memory.caps;
-  std::vector<CapOutlook> &outlooks = search.memory.outlooks;
+  CapOutlooks &outlooks = search.memory.outlooks;
   caps.clear();
   outlooks.clear();
   for (EllipseMemory::Workspace &workspace : search.memory.workspaces) {
@@ -107,7 +107,7 @@ std::size_t gatherCaps(const EllipseSearch &search)
   }
   sortCaps(caps);
   for (const EdgeCap *cap : caps) {
-    outlooks.emplace_back(*cap);
+    outlooks.add(*cap);
   }
   search.memory.around.assign(caps.size(), {});
   return (caps.size() + capsAtOnce - 1) / capsAtOnce;
@@ -116,12 +116,13 @@ std::size_t gatherCaps(const EllipseSearch &search)
 void findCapPairs(const EllipseSearch &search, std::size_t task, EllipseMemory::Workspace &workspace)
 {
   const std::vector<const EdgeCap *> &caps = search.memory.caps;
-  const std::vector<CapOutlook> &outlooks = search.memory.outlooks;
+  const CapOutlooks &outlooks = search.memory.outlooks;
   const std::size_t end = std::min((task + 1) * capsAtOnce, caps.size());
   for (std::size_t i = task * capsAtOnce; i < end && !search.deadline.hasPassed(); ++i) {
     for (const CapRange &range : candidatesFor(caps, i)) {
-      for (std::size_t j = range.begin; j < range.end; ++j) {
-        if (lookApart(outlooks[i], outlooks[j]) && mayBeEnds(search.chains, *caps[i], *caps[j])) {
+      outlooks.findApart(i, range.begin, range.end, workspace.apart);
+      for (const std::size_t j : workspace.apart) {
+        if (mayBeEnds(search.chains, *caps[i], *caps[j])) {
           workspace.pairs.push_back({i, j, 0, std::nullopt});
         }
       }
