@@ -113,6 +113,14 @@ std::optional<EdgePoint> searchEdge(const Gradient &gradient, const Eigen::Vecto
                                     const Eigen::Vector2d &direction, double reach)
 {
   const int steps = static_cast<int>(std::ceil(reach));
+  // The way is straight: between two ends inside of the image, a pixel is left for rounding, no sample asks for it.
+  const auto endsInside = [&](int step) {
+    constexpr double margin = 4.;
+    const double x = position.x() + step * direction.x();
+    const double y = position.y() + step * direction.y();
+    return x >= margin && y >= margin && x < gradient.width - 1 - margin && y < gradient.height - 1 - margin;
+  };
+  const bool isInside = endsInside(-steps) && endsInside(steps);
   double strongest = gradient.continueAbove;
   int bestX = -1;
   int bestY = -1;
@@ -120,7 +128,7 @@ std::optional<EdgePoint> searchEdge(const Gradient &gradient, const Eigen::Vecto
     // Rounds what is not negative; what is lies outside all the same.
     const int x = static_cast<int>(position.x() + step * direction.x() + 0.5);
     const int y = static_cast<int>(position.y() + step * direction.y() + 0.5);
-    if (!inside(gradient, x, y, 3)) {
+    if (!isInside && !inside(gradient, x, y, 3)) {
       continue;
     }
     const double along = component(gradient, x, y, direction);

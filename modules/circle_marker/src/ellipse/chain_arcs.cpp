@@ -55,6 +55,7 @@ void proposeArcsOfChain(const EllipseSearch &search, std::size_t index, EllipseM
     return search.refuse(workspace, index, EllipseReject::TIMEOUT);
   }
   const EdgeChain &chain = search.chains.chains[index];
+  workspace.points.clear();
   if (search.sought.thinRing > 0. && chain.closed && chain.length() <= longestNarrowSheet &&
       proposeThinRing(search, index, workspace)) {
     return;
@@ -68,8 +69,9 @@ void proposeArcsOfChain(const EllipseSearch &search, std::size_t index, EllipseM
                          search.memory.left[index] == brightInside ? EllipseReject::BRIGHT_INSIDE
                                                                    : EllipseReject::LITTLE_BEND);
   }
-  workspace.points.clear();
-  locateChain(search.gradient, search.chains, chain, workspace.points, search.deadline);
+  if (workspace.points.empty()) { // or they were located for a thin ring
+    locateChain(search.gradient, search.chains, chain, workspace.points, search.deadline);
+  }
   cutConvexArcs(workspace.points, leastLooseTurn, workspace.arcs, search.deadline);
   if (workspace.arcs.empty()) {
     search.refuse(workspace, index, workspace.points.data(), workspace.points.size(), EllipseReject::LITTLE_BEND);

@@ -97,8 +97,9 @@ double rootMeanSquareDistance(const EllipseCandidate &candidate, const EdgePoint
   return std::sqrt(sum / static_cast<double>(count));
 }
 
-// Searches the whole outline for edges; leaves them in candidate.points and their share in candidate.support.
-void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double reach, int most)
+// Searches the whole outline for edges; leaves them in candidate.points and their share in candidate.support. Ends
+// where that cannot be the least share any more, with something below it.
+void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double reach, int most, double least)
 {
   const EllipseParameters &ellipse = candidate.ellipse;
   const double perimeter = M_PI * (ellipse.a + ellipse.b); // of the circle of mean radius: right to 4 % at ratio 0.4
@@ -106,11 +107,16 @@ void searchOutline(const Gradient &gradient, EllipseCandidate &candidate, double
   candidate.points.clear();
   candidate.points.reserve(mostSamples); // once and for all outlines that use this memory after it
   EllipseWalk walk(ellipse, samples);
-  for (int i = 0; i < samples; ++i, walk.next()) {
+  const int mostMissed = samples - static_cast<int>(std::ceil(least * samples));
+  int missed = 0;
+  for (int i = 0; i < samples && missed <= mostMissed; ++i, walk.next()) {
     const EdgePoint where = walk.here();
     const auto edge = searchEdge(gradient, where.position, where.normal(), reach);
     if (edge && std::abs(sampsonDistance(candidate.conic, edge->position)) <= std::max(reach, 1.)) {
       candidate.points.push_back(*edge);
+    }
+    else {
+      ++missed;
     }
   }
   candidate.support = static_cast<double>(candidate.points.size()) / samples;
@@ -352,7 +358,8 @@ EllipseReject OutlineFitter::complete(const vpImage<unsigned char> &I, const Gra
     return fitPoints(candidate.points.data(), candidate.points.size(), candidate) && isWithinReach(candidate, I);
   };
   // The first search forgives the extrapolation of an arc, the second only the noise.
-  searchOutline(gradient, candidate, onOutline + reachOfArc * candidate.ellipse.b, mostFirstSamples);
+  searchOutline(gradient, candidate, onOutline + reachOfArc * candidate.ellipse.b, mostFirstSamples,
+                0.5 * leastSupport);
   if (candidate.support < 0.5 * leastSupport) {
     return EllipseReject::LITTLE_SUPPORT;
   }
@@ -363,7 +370,7 @@ EllipseReject OutlineFitter::complete(const vpImage<unsigned char> &I, const Gra
     return EllipseReject::OTHER_CENTER;
   }
   if (candidate.support < wellSupported) {
-    searchOutline(gradient, candidate, onOutline + reachOfFit * candidate.ellipse.a, mostSamples);
+    searchOutline(gradient, candidate, onOutline + reachOfFit * candidate.ellipse.a, mostSamples, 0.5 * leastSupport);
     if (candidate.support < 0.5 * leastSupport) {
       return EllipseReject::LITTLE_SUPPORT;
     }
@@ -371,7 +378,7 @@ EllipseReject OutlineFitter::complete(const vpImage<unsigned char> &I, const Gra
       return EllipseReject::NOT_AN_ELLIPSE;
     }
   }
-  searchOutline(gradient, candidate, onOutline, mostSamples);
+  searchOutline(gradient, candidate, onOutline, mostSamples, leastSupport);
   if (candidate.support < leastSupport) {
     return EllipseReject::LITTLE_SUPPORT;
   }
