@@ -119,9 +119,11 @@ void CapOutlooks::findApart(std::size_t one, std::size_t begin, std::size_t end,
       const double otherOut = -(alongU * outU[k] + alongV * outV[k]);
       const double least = leastAlong * leastAlong * squared;
       const double nearest = out < otherOut ? out : otherOut; // both look away if the less does, and far enough
-      const bool isApart = (nearest > 0.) & (nearest * nearest >= least) & (side * otherSide[k] > 0.) &
-                           (squared >= shortestNarrow * shortestNarrow) & (squared <= longestNarrow * longestNarrow);
-      marks[k] = isApart ? 1. : -1.;
+      double mark = nearest > 0. ? 1. : -1.;
+      mark = nearest * nearest >= least ? mark : -1.;
+      mark = side * otherSide[k] > 0. ? mark : -1.;
+      mark = squared >= shortestNarrow * shortestNarrow ? mark : -1.;
+      marks[k] = squared <= longestNarrow * longestNarrow ? mark : -1.;
     }
     for (std::size_t k = 0; k < count; ++k) {
       if (marks[k] > 0.) {
