@@ -23,6 +23,7 @@
 #include <cstdint>
 
 #include "support/parabola.h"
+#include "support/wider_registers.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -49,6 +50,7 @@ std::uint8_t isDarker(std::uint8_t grey, std::uint8_t other, std::uint8_t rise)
 }
 
 // Whether any of so many pixels is darker than what is to the left and to the right; mostly none is.
+VP_CIRCLE_MARKER_WIDER_REGISTERS
 bool isAnyDarkerSideways(const std::uint8_t *row, int count, std::uint8_t rise)
 {
   std::uint8_t isAny = 0;
@@ -59,6 +61,7 @@ bool isAnyDarkerSideways(const std::uint8_t *row, int count, std::uint8_t rise)
 }
 
 // Marks those that are darker than what is around. Along the diagonals the pixels nearest to two and three pixels away.
+VP_CIRCLE_MARKER_WIDER_REGISTERS
 void markDarker(const std::uint8_t *row, std::ptrdiff_t width, int count, std::uint8_t rise, Marks &marks)
 {
   const std::uint8_t *above1 = row - width;

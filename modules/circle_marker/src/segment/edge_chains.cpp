@@ -282,9 +282,12 @@ constexpr int pixelsPassed = 4 * pixelsAtOnce;
 // Whether the gradient of none of so many pixels is strong enough to start a chain; without a look at what is visited.
 bool isWeak(const std::uint8_t *strong)
 {
-  std::array<std::uint64_t, pixelsPassed / pixelsAtOnce> words;
-  std::memcpy(words.data(), strong, sizeof(words));
-  return (words[0] | words[1] | words[2] | words[3]) == 0;
+  const auto wordAt = [&](int word) {
+    std::uint64_t marks;
+    std::memcpy(&marks, strong + word * pixelsAtOnce, sizeof(marks));
+    return marks;
+  };
+  return (wordAt(0) | wordAt(1) | wordAt(2) | wordAt(3)) == 0;
 }
 
 // Whether a chain may start at one of so many pixels.

@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/wider_registers.h"
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
@@ -61,6 +63,7 @@ struct RowSums
   std::vector<short> steps;    // below - above
 };
 
+VP_CIRCLE_MARKER_WIDER_REGISTERS
 void sumRows(const ThreeRows &rows, int width, RowSums &sums)
 {
   const auto [above, here, below] = rows;
@@ -72,10 +75,21 @@ void sumRows(const ThreeRows &rows, int width, RowSums &sums)
   }
 }
 
-// Gradients of a row; where chains may start in it, too, if that is asked. Plain arithmetic in 16 bits and no branch:
-// compilers make vector instructions of it.
-template <bool marksStarts>
-void sobelRow(const RowSums &sums, int width, short least, GradientVector *out, std::uint8_t *strong)
+// Gradients of a row. Plain arithmetic in 16 bits and no branch: compilers make vector instructions of it.
+VP_CIRCLE_MARKER_WIDER_REGISTERS
+void sobelRow(const RowSums &sums, int width, GradientVector *out)
+{
+  const short *smoothed = sums.smoothed.data();
+  const short *steps = sums.steps.data();
+  for (int x = 1; x < width - 1; ++x) {
+    out[x].dx = static_cast<short>(smoothed[x + 1] - smoothed[x - 1]);
+    out[x].dy = static_cast<short>(steps[x - 1] + 2 * steps[x] + steps[x + 1]);
+  }
+}
+
+// The same, and where chains may start in it.
+VP_CIRCLE_MARKER_WIDER_REGISTERS
+void sobelRowOfStarts(const RowSums &sums, int width, short least, GradientVector *out, std::uint8_t *strong)
 {
   const short *smoothed = sums.smoothed.data();
   const short *steps = sums.steps.data();
@@ -84,9 +98,7 @@ void sobelRow(const RowSums &sums, int width, short least, GradientVector *out, 
     const short dy = static_cast<short>(steps[x - 1] + 2 * steps[x] + steps[x + 1]);
     out[x].dx = dx;
     out[x].dy = dy;
-    if (marksStarts) {
-      strong[x] = std::max(sizeOf(dx), sizeOf(dy)) >= least ? 1 : 0;
-    }
+    strong[x] = std::max(sizeOf(dx), sizeOf(dy)) >= least ? 1 : 0;
   }
 }
 
@@ -131,10 +143,10 @@ void computeRows(const vpImage<unsigned char> &I, int firstRow, int endRow, Grad
     if (hasStarts) {
       strong[0] = 0;
       strong[width - 1] = 0;
-      sobelRow<true>(sums, width, least, out, strong);
+      sobelRowOfStarts(sums, width, least, out, strong);
     }
     else {
-      sobelRow<false>(sums, width, least, out, nullptr);
+      sobelRow(sums, width, out);
     }
   }
 }
