@@ -178,6 +178,36 @@ TEST(CapPairs, LookApartAlongTheLineBetweenThem)
   }
 }
 
+TEST(CapPairs, LookApartInARowAsByTwos)
+{
+  Random random = randomOfTest();
+  std::vector<EdgeCap> caps;
+  CapOutlooks outlooks;
+  for (int i = 0; i < 300; ++i) { // and some left over from rows of 64
+    EdgeCap cap;
+    const double angle = uniform(random, -M_PI, M_PI);
+    cap.tip = Eigen::Vector2d(uniform(random, 0., 500.), uniform(random, 0., 500.));
+    cap.axis = Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    cap.isDark = i % 2 == 0;
+    caps.push_back(cap);
+    outlooks.add(cap);
+  }
+  std::size_t found = 0;
+  std::vector<std::size_t> apart;
+  for (std::size_t one = 0; one < caps.size(); ++one) {
+    std::vector<std::size_t> expected;
+    for (std::size_t other = one + 1; other < caps.size(); ++other) {
+      if (lookApart(CapOutlook(caps[one]), CapOutlook(caps[other]))) {
+        expected.push_back(other);
+      }
+    }
+    outlooks.findApart(one, one + 1, caps.size(), apart);
+    EXPECT_EQ(apart, expected);
+    found += apart.size();
+  }
+  EXPECT_GT(found, 100U);
+}
+
 TEST(CapPairs, WhatIsNoPair)
 {
   const EllipseScene dark = {center, 30., 3.5, 0.4};
