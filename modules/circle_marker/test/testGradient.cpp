@@ -58,6 +58,37 @@ TEST(Gradient, ThresholdsFollowTheNoise)
   }
 }
 
+// Rows are worked on in runs of 1024 columns: the ends of runs, and of images that end near one, are as all others.
+TEST(Gradient, IsSobelsInEveryColumn)
+{
+  Random random = randomOfTest();
+  Gradient gradient;
+  for (const unsigned int width : {16U, 17U, 1023U, 1024U, 1025U, 1026U, 1027U, 2050U, 2051U}) {
+    vpImage<unsigned char> I(17, width);
+    for (unsigned int i = 0; i < I.getSize(); ++i) {
+      I.bitmap[i] = static_cast<unsigned char>(random() % 256);
+    }
+    computeGradient(I, gradient);
+    int differing = 0;
+    for (unsigned int v = 0; v < 17; ++v) {
+      for (unsigned int u = 0; u < width; ++u) {
+        int dx = 0;
+        int dy = 0;
+        if (u > 0 && v > 0 && u + 1 < width && v + 1 < 17) {
+          for (int k = -1; k <= 1; ++k) {
+            const int weight = k == 0 ? 2 : 1;
+            dx += weight * (I[v + k][u + 1] - I[v + k][u - 1]);
+            dy += weight * (I[v + 1][u + k] - I[v - 1][u + k]);
+          }
+        }
+        const GradientVector &found = gradient.at(static_cast<int>(u), static_cast<int>(v));
+        differing += found.dx != dx || found.dy != dy;
+      }
+    }
+    EXPECT_EQ(differing, 0) << width;
+  }
+}
+
 TEST(Gradient, LeastStepWithoutNoise)
 {
   // A sharp vertical step of 7 grey levels starts a chain, one of 6 does not; 4 goes on, 3 does not.

@@ -18,6 +18,7 @@
 #include "segment/gradient.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "support/wider_registers.h"
@@ -55,47 +56,51 @@ struct ThreeRows
   const unsigned char *below;
 };
 
-// Sums and differences of the three rows: all pixels of a row share them with their neighbours, so that each is made
-// once and not for the left, the middle and the right.
+// Columns whose sums are made at once, and stay in the nearest memory.
+constexpr int columnsAtOnce = 1024;
+
+// Sums and differences of the three rows, from a column before those that are made at once to one after them: all
+// pixels of a row share them with their neighbours, so that each is made once and not for the left, the middle and the
+// right.
 struct RowSums
 {
-  std::vector<short> smoothed; // above + 2 here + below
-  std::vector<short> steps;    // below - above
+  std::array<short, columnsAtOnce + 2> smoothed; // above + 2 here + below
+  std::array<short, columnsAtOnce + 2> steps;    // below - above
 };
 
 VP_CIRCLE_MARKER_WIDER_REGISTERS
-void sumRows(const ThreeRows &rows, int width, RowSums &sums)
+void sumRows(const ThreeRows &rows, int count, RowSums &sums)
 {
   const auto [above, here, below] = rows;
   short *smoothed = sums.smoothed.data();
   short *steps = sums.steps.data();
-  for (int x = 0; x < width; ++x) {
+  for (int x = 0; x < count; ++x) {
     smoothed[x] = static_cast<short>(above[x] + 2 * here[x] + below[x]);
     steps[x] = static_cast<short>(below[x] - above[x]);
   }
 }
 
-// Gradients of a row. Plain arithmetic in 16 bits and no branch: compilers make vector instructions of it.
+// Gradients of pixels of a row. Plain arithmetic in 16 bits and no branch: compilers make vector instructions of it.
 VP_CIRCLE_MARKER_WIDER_REGISTERS
-void sobelRow(const RowSums &sums, int width, GradientVector *out)
+void sobelRow(const RowSums &sums, int count, GradientVector *out)
 {
   const short *smoothed = sums.smoothed.data();
   const short *steps = sums.steps.data();
-  for (int x = 1; x < width - 1; ++x) {
-    out[x].dx = static_cast<short>(smoothed[x + 1] - smoothed[x - 1]);
-    out[x].dy = static_cast<short>(steps[x - 1] + 2 * steps[x] + steps[x + 1]);
+  for (int x = 0; x < count; ++x) {
+    out[x].dx = static_cast<short>(smoothed[x + 2] - smoothed[x]);
+    out[x].dy = static_cast<short>(steps[x] + 2 * steps[x + 1] + steps[x + 2]);
   }
 }
 
 // The same, and where chains may start in it.
 VP_CIRCLE_MARKER_WIDER_REGISTERS
-void sobelRowOfStarts(const RowSums &sums, int width, short least, GradientVector *out, std::uint8_t *strong)
+void sobelRowOfStarts(const RowSums &sums, int count, short least, GradientVector *out, std::uint8_t *strong)
 {
   const short *smoothed = sums.smoothed.data();
   const short *steps = sums.steps.data();
-  for (int x = 1; x < width - 1; ++x) {
-    const short dx = static_cast<short>(smoothed[x + 1] - smoothed[x - 1]);
-    const short dy = static_cast<short>(steps[x - 1] + 2 * steps[x] + steps[x + 1]);
+  for (int x = 0; x < count; ++x) {
+    const short dx = static_cast<short>(smoothed[x + 2] - smoothed[x]);
+    const short dy = static_cast<short>(steps[x] + 2 * steps[x + 1] + steps[x + 2]);
     out[x].dx = dx;
     out[x].dy = dy;
     strong[x] = std::max(sizeOf(dx), sizeOf(dy)) >= least ? 1 : 0;
@@ -123,8 +128,7 @@ void computeRows(const vpImage<unsigned char> &I, int firstRow, int endRow, Grad
 {
   const int width = gradient.width;
   const short least = leastComponentOf(gradient);
-  RowSums sums = {std::vector<short>(static_cast<std::size_t>(width)),
-                  std::vector<short>(static_cast<std::size_t>(width))};
+  RowSums sums;
   for (int y = firstRow; y < endRow; ++y) {
     const bool hasStarts = y % rowsBetweenStarts == firstStartRow;
     GradientVector *out = gradient.vectors.data() + gradient.index(0, y);
@@ -137,16 +141,21 @@ void computeRows(const vpImage<unsigned char> &I, int firstRow, int endRow, Grad
       continue;
     }
     const auto row = static_cast<unsigned int>(y);
-    sumRows({I[row - 1], I[row], I[row + 1]}, width, sums);
     out[0] = {0, 0};
     out[width - 1] = {0, 0};
     if (hasStarts) {
       strong[0] = 0;
       strong[width - 1] = 0;
-      sobelRowOfStarts(sums, width, least, out, strong);
     }
-    else {
-      sobelRow(sums, width, out);
+    for (int x = 1; x < width - 1; x += columnsAtOnce) {
+      const int count = std::min(columnsAtOnce, width - 1 - x);
+      sumRows({I[row - 1] + x - 1, I[row] + x - 1, I[row + 1] + x - 1}, count + 2, sums);
+      if (hasStarts) {
+        sobelRowOfStarts(sums, count, least, out + x, strong + x);
+      }
+      else {
+        sobelRow(sums, count, out + x);
+      }
     }
   }
 }
