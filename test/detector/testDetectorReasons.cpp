@@ -198,6 +198,33 @@ TEST(DetectorReasons, WithoutTimeTheReasonIsThat)
   EXPECT_FALSE(detector.hasTimedOut());
 }
 
+// As cameras of notebooks show their users. Of these ids some are near to another marker, or to themselves, in a
+// mirror.
+TEST(DetectorReasons, MarkersInAMirrorAreSaidToBe)
+{
+  Random random = randomOfTest();
+  vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+  const int ids[] = {0, 7, 15, 25, 38, 39, 43, 65, 73, 77, 100, 177};
+  for (int i = 0; i < 12; ++i) {
+    const vpHomogeneousMatrix cMo =
+        randomPose(random, 100., 0.6, 80. + 160. * (i % 4), 80. + 160. * (i / 4)); // the centre, pixels
+    simulator.addMarker(printed(vpCircleMarkerFamily::GOLAY23, ids[i]).setPose(cMo));
+  }
+  vpImage<unsigned char> I;
+  simulator.render(I, random());
+  vpDetectorCircleMarker detector;
+  detector.detect(I);
+  EXPECT_EQ(detector.getNbObjects(), 12u);
+  cv::Mat pixels = pixelsOf(I);
+  cv::flip(pixels.clone(), pixels, 1);
+  detector.setDebug(true);
+  EXPECT_FALSE(detector.detect(I)) << detector.getMessage(0);
+  const std::vector<vpCircleMarkerCandidate> rejected = detector.getRejectedCandidates();
+  EXPECT_GE(std::count_if(rejected.begin(), rejected.end(),
+                          [](const vpCircleMarkerCandidate &c) { return c.reason == Reject::MIRRORED; }),
+            12);
+}
+
 // Whenever the time is over, nothing is said to lie inside of a marker that was not found.
 TEST(DetectorReasons, WithoutTimeNothingIsInsideOfWhatWasNotFound)
 {

@@ -62,6 +62,8 @@ std::string vpCircleMarkerRejectName(vpCircleMarkerReject reason)
     return "no sectors";
   case Reject::NO_CODEWORD:
     return "no codeword";
+  case Reject::MIRRORED:
+    return "mirrored";
   case Reject::LOW_MARGIN:
     return "low margin";
   case Reject::UNLIKE_THE_MODEL:

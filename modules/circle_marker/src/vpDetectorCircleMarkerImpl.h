@@ -89,6 +89,7 @@ private:
     bool isOver = false;                                       //!< Whether it is found, or is none.
     bool mayBeBlurred = false;                                 //!< Whether it may be read through a blur.
     std::optional<std::size_t> otherRingOf;                    //!< The family of plain rings whose ratio it has not.
+    std::optional<std::size_t> mirroredOf;                     //!< The family of which it is a marker in a mirror.
     std::optional<circle_marker::Recognition> marker;          //!< What it was read as.
     std::size_t place = 0;                                     //!< Of what was measured of it, in m_measured.
     bool isFound = false;                                      //!< Whether that is a marker.

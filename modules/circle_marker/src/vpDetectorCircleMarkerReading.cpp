@@ -52,7 +52,8 @@ void vpDetectorCircleMarker::Impl::read(const Visit &visit, const EllipseCandida
   while (seen && !examination.marker && examination.attempt < m_attempts.size() && !visit.deadline.hasPassed()) {
     const Attempt &attempt = m_attempts[examination.attempt++];
     const vpCircleMarkerFamily &family = settings.families[attempt.family];
-    if (attempt.kind != ReadingKind::WHOLE && (visit.readsWholeOnly || attempt.family == examination.otherRingOf)) {
+    if (attempt.kind != ReadingKind::WHOLE && (visit.readsWholeOnly || attempt.family == examination.otherRingOf ||
+                                               attempt.family == examination.mirroredOf)) {
       continue;
     }
     if (attempt.kind != ReadingKind::WHOLE) {
@@ -171,6 +172,9 @@ void vpDetectorCircleMarker::Impl::readWhole(const Visit &visit, OutlineInImage 
   }
   if (marker) {
     examination.marker = std::move(*marker);
+  }
+  else if (marker.reason() == vpCircleMarkerReject::MIRRORED) {
+    examination.mirroredOf = m_attempts[examination.attempt - 1].family;
   }
 }
 

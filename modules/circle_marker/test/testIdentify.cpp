@@ -155,6 +155,52 @@ TEST(Identify, WrongSectorsOnTheImage)
   }
 }
 
+// A word in the other direction is near enough to a codeword of golay23 once in seven: all of them are refused, but the
+// few that are another codeword then, or their own. From the front each is itself, with an error as well.
+TEST(Identify, MarkersInAMirrorAreNone)
+{
+  Random random = randomOfTest();
+  for (const vpCircleMarkerFamily::vpType type : codedFamilies) {
+    const vpCircleMarkerFamily family(type);
+    const unsigned int n = family.getNbSectors();
+    unsigned int symmetric = 0;
+    for (int i = 0; i < 200; ++i) {
+      const int id =
+          i < 178 && type == vpCircleMarkerFamily::GOLAY23 ? i : static_cast<int>(random() % family.getNbIds());
+      const std::uint32_t word = family.getCodeword(id);
+      std::uint32_t mirrored = 0;
+      for (unsigned int k = 0; k < n; ++k) {
+        mirrored |= ((word >> k) & 1U) << (n - 1 - k);
+      }
+      const auto behind = identify(clearReading(mirrored, n), family, DecodeSettings());
+      if (behind) {
+        EXPECT_EQ(behind->hamming, 0u) << family.getName() << " " << id;
+        ++symmetric;
+      }
+      else {
+        EXPECT_EQ(behind.reason(), vpCircleMarkerReject::MIRRORED) << family.getName() << " " << id;
+      }
+      EXPECT_TRUE(identify(clearReading(word, n), family, DecodeSettings())) << family.getName() << " " << id;
+    }
+    EXPECT_LE(symmetric, 4u) << family.getName();
+  }
+}
+
+// Sectors that are misread are hardly ever taken for a mirror.
+TEST(Identify, MisreadMarkersAreSeldomMirrored)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  int lost = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const int id = static_cast<int>(random() % family.getNbIds());
+    const auto code =
+        identify(clearReading(family.getCodeword(id) ^ randomErrors(random, 2, 23), 23), family, DecodeSettings());
+    lost += code ? 0 : 1;
+  }
+  EXPECT_LT(lost, 6);
+}
+
 TEST(Identify, BlankBlackAndInvertedTracksAreNoCode)
 {
   Random random = randomOfTest();

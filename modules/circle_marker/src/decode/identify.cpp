@@ -115,6 +115,21 @@ double bitsOfErrors(unsigned int sectors, unsigned int errors)
   }
   return std::log2(patterns);
 }
+// The sectors in the other direction, as a mirror shows them.
+CyclicCode::Word backwards(CyclicCode::Word word, unsigned int sectors)
+{
+  CyclicCode::Word mirrored = 0;
+  for (unsigned int k = 0; k < sectors; ++k) {
+    mirrored = (mirrored << 1) | ((word >> k) & 1U);
+  }
+  return mirrored;
+}
+
+// Whether a word is a marker's in a mirror, without a correction.
+bool isMirroredMarker(CyclicCode::Word word, const CyclicCode &code)
+{
+  return code.identify(backwards(word, code.getLength())).has_value();
+}
 } // namespace
 
 Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerFamily &family,
@@ -130,10 +145,12 @@ Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerF
   }
   const CyclicCode &code = codeOf(family);
   const auto codeword = code.correct(word, settings.maximumHamming);
-  if (!codeword) {
-    return vpCircleMarkerReject::NO_CODEWORD;
+  const auto identity = codeword ? code.identify(*codeword) : std::nullopt;
+  // Of all words one of seven is near enough to a codeword of golay23, so of those in a mirror, too: they are not
+  // sectors that were misread. Of markers with such sectors one of 2000 is refused by this.
+  if (!(identity && word == *codeword) && isMirroredMarker(word, code)) {
+    return vpCircleMarkerReject::MIRRORED;
   }
-  const auto identity = code.identify(*codeword);
   if (!identity) {
     return vpCircleMarkerReject::NO_CODEWORD;
   }

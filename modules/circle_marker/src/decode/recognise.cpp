@@ -137,6 +137,10 @@ Judged<Recognition> recogniseCode(OutlineInImage &seen, const vpCircleMarkerFami
   if (!codes[best]) {
     return codes[best].reason();
   }
+  // What is a marker in a mirror at one pose may have sectors misread at the other that make it another one.
+  if (codes[best]->hamming > 0 && codes[1 - best].reason() == vpCircleMarkerReject::MIRRORED) {
+    return vpCircleMarkerReject::MIRRORED;
+  }
   return markerOf(seen.poses, family, codes, best);
 }
 

@@ -57,6 +57,7 @@ enum class vpCircleMarkerReject
   NOT_ALL_AROUND,     //!< Without a code: the ring or disc does not show in all directions.
   NO_SECTORS,         //!< The code track is not made of black and white sectors.
   NO_CODEWORD,        //!< The sectors are no codeword, nor near enough to one.
+  MIRRORED,           //!< The sectors are a codeword's in the other direction: a mirror, or an image that is flipped.
   LOW_MARGIN,         //!< The sectors agree too little with the nearest codeword.
   // A marker whose pose was refined
   UNLIKE_THE_MODEL, //!< The image does not look like the marker at any pose near by.
