@@ -42,7 +42,10 @@ struct CodeReading
   double spin = 0.;         //!< Angle from the plane's x axis to the marker's own, rad, positive toward y.
 };
 
-/*! The marker whose code is nearest to a reading, or NO_SECTORS, NO_CODEWORD, MIRRORED, or LOW_MARGIN with what was refused. */
+/*!
+  The marker whose code is nearest to a reading, or NO_SECTORS, NO_CODEWORD, MIRRORED, or LOW_MARGIN with what was
+  refused.
+*/
 Judged<CodeReading> identify(const SectorReading &reading, const vpCircleMarkerFamily &family,
                              const DecodeSettings &settings);
 /*!
