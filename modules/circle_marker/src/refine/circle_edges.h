@@ -73,9 +73,13 @@ inline void curvatureOf(const PlaneLanes &p, CurvatureLanes &curvature)
   const Lanes tangent = (hv * p.gradientU - hu * p.gradientV) * curvature.perGradient;
   curvature.tangentU = hu;
   curvature.tangentV = hv;
-  curvature.alongNormal = normal * normal * perRadius * curvature.perGradient;
+  const Lanes ofCircle = normal * normal * perRadius * curvature.perGradient;
+  // The plane is seen in perspective: along the normal its scale changes by twice as much as the depth does. The
+  // gradient and what is bent along the edge change alike, so that the curvature does not.
+  const Lanes depth = (p.wByU * p.gradientU + p.wByV * p.gradientV) * curvature.perGradient;
+  curvature.alongNormal = ofCircle - 2.f * depth;
   curvature.alongTangent = tangent * tangent * perRadius * curvature.perGradient;
-  curvature.fading = p.gradient * perRadius + 3.f * curvature.alongNormal;
+  curvature.fading = p.gradient * perRadius + 3.f * ofCircle;
   stretchOf(p.gradientU, p.gradientV, curvature.perGradient, curvature.stretched);
 }
 

@@ -75,7 +75,10 @@ void ImageModel::seeBorder(const PlaneLanes &p, const CurvatureLanes &curvature,
   const Lanes gu = p.qxByU * acrossX + p.qyByU * acrossY;
   const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
   const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
-  const Lanes first = (acrossX * p.qx + acrossY * p.qy) * perGradient;
+  const Lanes linear = (acrossX * p.qx + acrossY * p.qy) * perGradient;
+  // To second order: the border is straight, but the plane is seen in perspective.
+  const Lanes first =
+      linear * (1.f - linear * (p.wByU * gu + p.wByV * gv) * perGradient).max(leastStretch).min(mostStretch);
   const Lanes distance = perSigma * first;
   const Lanes isEdge = change * change;
   if ((distance.abs() + farFromEdge * (1.f - isEdge)).minCoeff() >= farFromEdge) {

@@ -51,6 +51,7 @@ struct PlaneLanes
 {
   Lanes qx, qy;                     //!< Place.
   Lanes qxByU, qxByV, qyByU, qyByV; //!< Derivatives by the pixel, where the blur is round.
+  Lanes wByU, wByV;                 //!< Derivative of the homography's denominator 1 + w p by the pixel, over it.
   Lanes radius;                     //!< Distance from the centre.
   Lanes outX, outY;                 //!< Unit vector away from the centre.
   Lanes gradientU, gradientV;       //!< Derivative of the radius by the pixel.
@@ -90,6 +91,10 @@ public:
     point.qxByV = m_suv * qxByU + m_svv * qxByV;
     point.qyByU = m_suu * qyByU + m_suv * qyByV;
     point.qyByV = m_suv * qyByU + m_svv * qyByV;
+    const Lanes wByU = (m_wx * place.xByU + m_wy * place.yByU) * perSlope;
+    const Lanes wByV = (m_wx * place.xByV + m_wy * place.yByV) * perSlope;
+    point.wByU = m_suu * wByU + m_suv * wByV;
+    point.wByV = m_suv * wByU + m_svv * wByV;
     if (m_isBent) {
       bend(point);
     }
