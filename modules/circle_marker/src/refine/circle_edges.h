@@ -63,7 +63,7 @@ inline void stretchOf(const Lanes &u, const Lanes &v, const Lanes &perLength, La
   stretched[1] = 2.f * cosine * sine;
 }
 
-inline void curvatureOf(const PlaneLanes &p, CurvatureLanes &curvature)
+inline void curvatureOf(const PlaneLanes &p, const SecondOrder &second, CurvatureLanes &curvature)
 {
   curvature.perGradient = p.gradient.inverse();
   const Lanes perRadius = p.radius.inverse();
@@ -74,11 +74,11 @@ inline void curvatureOf(const PlaneLanes &p, CurvatureLanes &curvature)
   curvature.tangentU = hu;
   curvature.tangentV = hv;
   const Lanes ofCircle = normal * normal * perRadius * curvature.perGradient;
-  // The plane is seen in perspective: along the normal its scale changes by twice as much as the depth does. The
-  // gradient and what is bent along the edge change alike, so that the curvature does not.
-  const Lanes depth = (p.wByU * p.gradientU + p.wByV * p.gradientV) * curvature.perGradient;
-  curvature.alongNormal = ofCircle - 2.f * depth;
-  curvature.alongTangent = tangent * tangent * perRadius * curvature.perGradient;
+  const Lanes acrossU = p.gradientU * curvature.perGradient;
+  const Lanes acrossV = p.gradientV * curvature.perGradient;
+  // Where the scale changes the gradient and what is bent along the edge change alike, so that the curvature does not.
+  curvature.alongNormal = ofCircle + second.across(p, acrossU, acrossV);
+  curvature.alongTangent = tangent * tangent * perRadius * curvature.perGradient + second.along(acrossU, acrossV);
   curvature.fading = p.gradient * perRadius + 3.f * ofCircle;
   stretchOf(p.gradientU, p.gradientV, curvature.perGradient, curvature.stretched);
 }

@@ -42,7 +42,8 @@ Lanes &valueOf(DarknessLanes &darkness)
 
 ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
                        const PixelBlocks &blocks, bool seesBend)
-    : m_blocks(blocks), m_homography(plane, blocks.reference, blur.shape()), m_seesBend(seesBend)
+    : m_blocks(blocks), m_homography(plane, blocks.reference, blur.shape()), m_second(blocks.reference),
+      m_seesBend(seesBend)
 {
   const Eigen::Vector3d c = -plane.rotation.transpose() * plane.center / plane.radius;
   m_cx = static_cast<float>(c.x());
@@ -76,9 +77,9 @@ void ImageModel::seeBorder(const PlaneLanes &p, const CurvatureLanes &curvature,
   const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
   const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
   const Lanes linear = (acrossX * p.qx + acrossY * p.qy) * perGradient;
-  // To second order: the border is straight, but the plane is seen in perspective.
-  const Lanes first =
-      linear * (1.f - linear * (p.wByU * gu + p.wByV * gv) * perGradient).max(leastStretch).min(mostStretch);
+  // To second order: the border is straight, but the scale changes across it.
+  const Lanes bow = linear * m_second.across(p, gu * perGradient, gv * perGradient);
+  const Lanes first = linear * (1.f + 0.5f * bow).max(leastStretch).min(mostStretch);
   const Lanes distance = perSigma * first;
   const Lanes isEdge = change * change;
   if ((distance.abs() + farFromEdge * (1.f - isEdge)).minCoeff() >= farFromEdge) {
@@ -140,7 +141,7 @@ void ImageModel::evaluateAs(const PixelBlock &block, Result &result) const
   PlaneLanes p;
   CurvatureLanes curvature;
   m_homography.apply(block.place, p);
-  curvatureOf(p, curvature);
+  curvatureOf(p, m_second, curvature);
   result.setZero();
   const Lanes growth = m_spread * curvature.perGradient; // pixels
   const auto count = [&](const EdgeLanes &edge, const Lanes &weight) {

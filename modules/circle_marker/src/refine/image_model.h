@@ -136,6 +136,7 @@ private:
 
   const PixelBlocks &m_blocks;
   PlaneHomography m_homography;
+  SecondOrder m_second;
   float m_cx, m_cy, m_perDepth;   // camera's centre in the marker's frame, in radii; 1 / |c_z|
   float m_ring[2];                // radii of the ring's edges; a disc's inner one is far below 0
   float m_track[2];               // radii of the track's rims

@@ -36,6 +36,9 @@ struct ImageReference
 {
   Eigen::Vector2d meter = Eigen::Vector2d::Zero(); //!< The origin, in normalised coordinates.
   double unit = 1.;                                //!< Size of a pixel there, in normalised coordinates.
+  //! Second derivative by the pixel (u, v) of where a distorting lens has it, in pixels (u, v), 1 / pixel: of each,
+  //! along uu, uv and vv.
+  Eigen::Matrix<double, 2, 3> lens = Eigen::Matrix<double, 2, 3>::Zero();
 };
 
 /*! Where pixels are in the image. */
@@ -56,6 +59,35 @@ struct PlaneLanes
   Lanes outX, outY;                 //!< Unit vector away from the centre.
   Lanes gradientU, gradientV;       //!< Derivative of the radius by the pixel.
   Lanes gradient;                   //!< Its length.
+};
+
+/*!
+  What a straight way through the image is not on the plane, which is seen in perspective and through a lens that may
+  distort: second derivatives by the pixel, over the first along a unit vector (u, v) across an edge. The coordinates
+  are those in which the blur is round; the lens is taken not to know of these.
+*/
+class SecondOrder
+{
+public:
+  explicit SecondOrder(const ImageReference &reference) : m_lens(reference.lens.cast<float>()) {}
+
+  /*! Along the way across: how much the scale changes from pixel to pixel, share of it. */
+  Lanes across(const PlaneLanes &point, const Lanes &u, const Lanes &v) const
+  {
+    return lensAlong(u, v, u * u, u * v, v * v) - 2.f * (u * point.wByU + v * point.wByV);
+  }
+
+  /*! Along the edge: how much it is bent, 1 / pixel. In perspective straight lines are straight. */
+  Lanes along(const Lanes &u, const Lanes &v) const { return lensAlong(u, v, v * v, -u * v, u * u); }
+
+private:
+  Lanes lensAlong(const Lanes &u, const Lanes &v, const Lanes &uu, const Lanes &uv, const Lanes &vv) const
+  {
+    return u * (m_lens(0, 0) * uu + 2.f * m_lens(0, 1) * uv + m_lens(0, 2) * vv) +
+           v * (m_lens(1, 0) * uu + 2.f * m_lens(1, 1) * uv + m_lens(1, 2) * vv);
+  }
+
+  Eigen::Matrix<float, 2, 3, Eigen::DontAlign> m_lens;
 };
 
 /*! A direction of the image as the plane sees it: from q, s steps lead to (q + s (x, y)) / (1 + s w). */
