@@ -19,11 +19,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 
 #include <Eigen/LU>
 
+#include "refine/lens_second_order.h"
 #include "refine/sector_table.h"
 #include "refine/surround_lanes.h"
 
@@ -111,62 +110,6 @@ unsigned char directionOf(int kind, int bin)
 {
   return static_cast<unsigned char>((bin - firstBin[static_cast<std::size_t>(kind)]) /
                                     groups[static_cast<std::size_t>(kind)]);
-}
-
-// Whether all pixels have the same derivative, as with a camera without distortion.
-bool isUniform(const std::vector<FitPixel> &pixels)
-{
-  // All are looked at, without a condition: it is mostly so. By their bits, because each comparison of numbers would
-  // wait for the one before.
-  std::array<std::uint64_t, 2> first;
-  std::array<std::uint64_t, 2> changed = {};
-  static_assert(sizeof(first) == sizeof(FitPixel::meterPerPixel), "four numbers in single precision");
-  std::memcpy(first.data(), pixels.front().meterPerPixel.data(), sizeof(first));
-  for (const FitPixel &pixel : pixels) {
-    std::array<std::uint64_t, 2> bits;
-    std::memcpy(bits.data(), pixel.meterPerPixel.data(), sizeof(bits));
-    changed[0] |= bits[0] ^ first[0];
-    changed[1] |= bits[1] ^ first[1];
-  }
-  return (changed[0] | changed[1]) == 0;
-}
-
-const Eigen::Matrix<double, 2, 3> noLens = Eigen::Matrix<double, 2, 3>::Zero();
-
-// How the derivatives of pixels change over them, by least squares on some of them: ImageReference::lens. It is as good
-// as a lens's second derivative is the same all over a marker.
-Eigen::Matrix<double, 2, 3> lensOf(const std::vector<FitPixel> &pixels)
-{
-  constexpr std::size_t enough = 256;
-  const std::size_t stride = pixels.size() / enough + 1;
-  double count = 0.;
-  Eigen::Vector2d meter = Eigen::Vector2d::Zero();
-  Eigen::Vector4d derivative = Eigen::Vector4d::Zero();
-  Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
-  Eigen::Matrix<double, 4, 2> products = Eigen::Matrix<double, 4, 2>::Zero();
-  for (std::size_t i = 0; i < pixels.size(); i += stride) {
-    const ModelPixel pixel = pixels[i].model();
-    const Eigen::Vector2d place = pixel.meter - pixels.front().meter.cast<double>();
-    const Eigen::Map<const Eigen::Vector4d> entries(pixel.meterPerPixel.data());
-    count += 1.;
-    meter += place;
-    derivative += entries;
-    squares += place * place.transpose();
-    products += entries * place.transpose();
-  }
-  squares -= meter * meter.transpose() / count;
-  products -= derivative * meter.transpose() / count;
-  derivative /= count;
-  const Eigen::Map<const Eigen::Matrix2d> pixel(derivative.data());
-  const Eigen::Matrix<double, 4, 2> byPixel = products * squares.inverse() * pixel;
-  const Eigen::Map<const Eigen::Matrix2d> byU(byPixel.col(0).data());
-  const Eigen::Map<const Eigen::Matrix2d> byV(byPixel.col(1).data());
-  const Eigen::Matrix2d inverse = pixel.inverse();
-  const Eigen::Matrix2d alongU = inverse * byU;
-  const Eigen::Matrix2d alongV = inverse * byV;
-  Eigen::Matrix<double, 2, 3> lens;
-  lens << alongU.col(0), 0.5 * (alongU.col(1) + alongV.col(0)), alongV.col(1);
-  return lens.allFinite() ? lens : noLens;
 }
 
 // Sorts pixels and writes them into blocks.
@@ -392,8 +335,7 @@ void packPixels(const std::vector<FitPixel> &pixels, const MarkerPlane &plane, c
     return;
   }
   const ModelPixel middle = pixels[pixels.size() / 2].model();
-  blocks.reference = {middle.meter, std::sqrt(std::abs(middle.meterPerPixel.determinant())),
-                      isUniform(pixels) ? noLens : lensOf(pixels)};
+  blocks.reference = {middle.meter, std::sqrt(std::abs(middle.meterPerPixel.determinant())), secondOrderOfLens(pixels)};
   const double seen = sightThrough(photometry.blur, poseError);
   blocks.sorting = {plane, seen};
   blocks.borders = bordersSeen(plane, pattern, photometry.blur, blocks.reference.unit, poseError, mostSeen);
