@@ -32,9 +32,9 @@ constexpr double leastPerspective = 0.08;
 SecondOrder::SecondOrder(const MarkerPlane &plane, const ImageReference &reference)
     : m_lens(reference.lens.cast<float>())
 {
+  // By the ray to its centre, so that it is the same for all of a marker's pixels.
   const Eigen::Vector3d normal = plane.rotation.col(2);
-  const Eigen::Vector3d ray(reference.meter.x(), reference.meter.y(), 1.);
-  const double nearer = plane.radius / plane.center.z() * normal.head<2>().norm() / std::abs(normal.dot(ray));
+  const double nearer = plane.radius * normal.head<2>().norm() / std::abs(normal.dot(plane.center));
   m_isSeen = nearer > leastPerspective;
 }
 
