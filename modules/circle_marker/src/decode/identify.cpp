@@ -115,6 +115,7 @@ double bitsOfErrors(unsigned int sectors, unsigned int errors)
   }
   return std::log2(patterns);
 }
+
 // The sectors in the other direction, as a mirror shows them.
 CyclicCode::Word backwards(CyclicCode::Word word, unsigned int sectors)
 {
