@@ -54,6 +54,33 @@ TEST(MaximumLikelihoodLight, InkThatIsNearlyBlack)
   }
 }
 
+// Ink that is darker than the sensor tells: where it is cut off no noise is seen, and what is left there is none.
+TEST(MaximumLikelihoodLight, InkThatIsCutOffTellsNothingOfTheNoise)
+{
+  Random random = randomOfTest();
+  const vpCircleMarkerFamily family(vpCircleMarkerFamily::GOLAY23);
+  constexpr double noise = 3.;
+  constexpr int count = 40;
+  double sum = 0.;
+  for (int i = 0; i < count; ++i) {
+    MarkerScene scene = markerScene(random, family, 5, uniform(random, 40., 60.), uniform(random, 0.3, 0.9), side);
+    scene.white = 270.; // and paper is, too: edges alone are left
+    scene.black = -60.;
+    Case made = {scene, patternOf(family, 5), {}};
+    const vpImage<unsigned char> I = digitise(expose(side, side, 0.7, scene), noise, random);
+    const MarkerPlane plane = scene.plane();
+    BlurParameters blur;
+    blur.sigma = 0.8;
+    selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, {blur, 0., 3000.},
+                 made.pixels);
+    const auto fit = fitAll(made.pixels, disturbed(plane, random, 0.01), made.pattern, settingsOf(family));
+    ASSERT_TRUE(fit);
+    EXPECT_GT(fit->noise, 0.7 * noise);
+    sum += mahalanobis(*fit, plane, true);
+  }
+  EXPECT_LT(sum / count, 6. / 0.95 + 3.5 * std::sqrt(12. / count));
+}
+
 TEST(MaximumLikelihoodLight, MotionIsNoError)
 {
   // Moved evenly by 3 pixels while the shutter is open: not the Gaussian that the model has, but nearly.

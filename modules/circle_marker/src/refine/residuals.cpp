@@ -79,9 +79,9 @@ ResidualSpread Likelihood::spreadOfResiduals()
   Lanes steep = Lanes::Zero();
   std::size_t k = 0;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
-    // What is as bright as can be tells nothing of the noise.
+    // What is as bright or as dark as can be tells nothing of the noise.
     const Lanes counts = isPositive(static_cast<float>(quantisation * quantisation) - block.variance) *
-                         isPositive(brightest - block.grey);
+                         isPositive(brightest - block.grey) * isPositive(block.grey);
     count += counts;
     steep += counts * steepness[k];
     sizes.push_back(m_memory.residuals[k++].abs() + 2.f * mostQuantile * (1.f - counts));
