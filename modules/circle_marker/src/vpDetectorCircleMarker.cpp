@@ -80,7 +80,7 @@ void vpDetectorCircleMarker::Impl::detectBlack(const vpImage<unsigned char> &I, 
   m_workers.setCount(settings.threads);
   m_workspaces.resize(m_workers.getCount());
   const CameraModel camera(cam);
-  const Visit visit = {I, size, camera, deadline, m_outlines.full.gradient.noise, false, 0., isCameraGuessed};
+  const Visit visit = {I, size, camera, deadline, m_outlines.full.gradient.noise, false, nullptr, isCameraGuessed};
   m_inRegions.clear();
   m_hadRegions = false;
   if (!searchRegions(visit)) {

@@ -27,6 +27,7 @@
 #include "decode/marker_places.h"
 #include "decode/recognise.h"
 #include "ellipse/outlines.h"
+#include "refine/mask_search.h"
 #include "refine/measure.h"
 #include "detect_covered.h"
 #include "detector_settings.h"
@@ -110,8 +111,12 @@ private:
   struct Fit
   {
     circle_marker::Few<circle_marker::MarkerPlane> poses; //!< Where it may be.
-    double halo = 1.;                                     //!< Of its outer edge (haloOf()), if it is measured.
-    bool isOtherRing = false;                             //!< Whether it is a plain ring of another ratio of radii.
+    std::optional<circle_marker::Measurement>
+        measurement;          //!< Before what is in doubt was added; nothing if there is none.
+    std::size_t pixels = 0;                               //!< Number of pixels that it was fitted to.
+    double left = HUGE_VAL;   //!< What that leaves, in units of the image's noise.
+    double halo = 1.;         //!< Of its outer edge (haloOf()), if it is measured.
+    bool isOtherRing = false; //!< Whether it is a plain ring of another ratio of radii.
   };
   /*! Working memory of one thread. */
   struct Workspace
@@ -132,7 +137,8 @@ private:
     const circle_marker::Deadline &deadline;
     const circle_marker::ImageNoise &noise; //!< Of the image: known after the first room.
     bool isSizeGiven = false;               //!< Whether all markers have that size, whatever the database says.
-    double haloError = 0.;        //!< Of what the camera had sharpened: how well that is undone, share of the contrast.
+    //! Covariance of the pose by what is not known of the mask that was undone; nullptr: none was.
+    const Eigen::Matrix<double, 6, 6> *maskDoubt = nullptr;
     bool isCameraGuessed = false; //!< Whether edges of circles may lie a little beside where it would show them.
     bool readsWholeOnly = false;  //!< Whether nothing is read as covered, blurred or in doubt.
   };
@@ -181,8 +187,12 @@ private:
                         Fit &fit) const;
   bool measureIn(const Visit &visit, const circle_marker::EllipseCandidate &outline, circle_marker::Recognition marker,
                  Workspace &workspace, Found &measured, Fit &fit) const;
-  bool measureRestored(const Visit &visit, const circle_marker::EllipseCandidate &outline,
-                       const circle_marker::Recognition &marker, Workspace &workspace, Fit &fit, Found &measured) const;
+  bool searchMask(const Visit &visit, const circle_marker::UnsharpMask &start,
+                  const circle_marker::EllipseCandidate &outline, const circle_marker::Recognition &marker,
+                  Workspace &workspace, Fit &fit, Found &measured) const;
+  bool measureBehind(const Visit &visit, const circle_marker::SearchedMask &found,
+                     const circle_marker::EllipseCandidate &outline, const circle_marker::Recognition &marker,
+                     Workspace &workspace, Fit &fit, Found &measured) const;
   void choose(const Visit &visit, const Outlines &outlines);
   void reserve(const circle_marker::EllipseCandidate &outline, const Examination &examination);
   void measureChosen(const Visit &visit, const Outlines &outlines);

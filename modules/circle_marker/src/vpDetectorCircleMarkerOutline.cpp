@@ -26,9 +26,9 @@
 #include "refine/blurred_measurement.h"
 #include "refine/camera_doubt.h"
 #include "refine/closed_form.h"
+#include "refine/coarse_fits.h"
 #include "refine/measure.h"
 #include "refine/report.h"
-#include "refine/unsharp_mask.h"
 #include "debug_record.h"
 #include "measure_proven.h"
 #include "outer_edge.h"
@@ -137,66 +137,6 @@ bool vpDetectorCircleMarker::Impl::measureMarker(const Visit &visit, const Ellip
   return isMeasured && !fit.isOtherRing;
 }
 
-/*!
-  The same, whatever the ratio of a ring. What is none though its code was read, or looks like it, may be in an image
-  that the camera has sharpened: then it is measured in what the image was before.
-*/
-bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const EllipseCandidate &outline,
-                                                    const Recognition &marker, Workspace &workspace, Found &measured,
-                                                    Fit &fit) const
-{
-  const bool isMeasured = measureIn(visit, outline, marker, workspace, measured, fit);
-  if (!settings.refinePose || marker.seen || marker.blurred || visit.deadline.hasPassed() ||
-      !(isMeasured ? fit.halo >= leastHalo : marker.isCertain)) {
-    return isMeasured;
-  }
-  if (isMeasured) {
-    measureRestored(visit, outline, marker, workspace, fit, measured);
-    return true;
-  }
-  for (const MarkerPlane &pose : marker.poses) {
-    fit.poses.push_back(pose);
-  }
-  // A mask that was told at poses of the outline is told better at the pose that is measured behind it.
-  const bool isRestored = measureRestored(visit, outline, marker, workspace, fit, measured);
-  if (isRestored) {
-    measureRestored(visit, outline, marker, workspace, fit, measured);
-  }
-  return isRestored;
-}
-
-/*!
-  The same in what the image was before the camera sharpened it; false, and nothing changes, if it did not, or if the
-  halo does not become less. The fit is that in the image as it is, and then this one.
-*/
-bool vpDetectorCircleMarker::Impl::measureRestored(const Visit &visit, const EllipseCandidate &outline,
-                                                   const Recognition &marker, Workspace &workspace, Fit &fit,
-                                                   Found &measured) const
-{
-  const auto mask = unsharpMaskOf(visit.I, visit.camera, fit.poses, marker.family.getLayout());
-  if (!mask) {
-    return false;
-  }
-  const PixelBox box = surroundingsOf(outline, marker.family, visit.I);
-  const cv::Rect around(box.left, box.top, box.width(), box.height());
-  if (!undo(*mask, visit.I, around, visit.deadline, workspace.restored)) {
-    return false;
-  }
-  // Of the highest frequencies, by which it is measured.
-  const ImageNoise noise = {visit.noise.sigma / (1. + mask->amount), visit.noise.sharing, visit.noise.isResampled};
-  const Visit before = {workspace.restored, visit.size,  visit.camera,         visit.deadline, noise,
-                        visit.isSizeGiven,  mask->error, visit.isCameraGuessed};
-  Fit restoredFit;
-  Found restored;
-  if (!measureIn(before, outline, marker, workspace, restored, restoredFit) || restoredFit.halo > fit.halo) {
-    return false;
-  }
-  restored.noise = visit.noise;
-  measured = std::move(restored);
-  fit = restoredFit;
-  return true;
-}
-
 /*! The measurement of a marker that explains the image; nothing if none does. The marker is then what was measured. */
 std::optional<Measurement> vpDetectorCircleMarker::Impl::explain(const Visit &visit, const EllipseCandidate &outline,
                                                                  Recognition &marker, Workspace &workspace) const
@@ -241,7 +181,10 @@ void vpDetectorCircleMarker::Impl::addDoubts(const Visit &visit, const EllipseCa
                 [&](FittedPose &pose) { widenByShapeOfBlur(visit.noise.sigma, marker.family.isCoded(), halo, pose); });
     if (!marker.blurred) { // in a wide blur there is no halo to be seen
       fit.halo = halo.value_or(0.);
-      addHaloDoubt(std::hypot(fit.halo < leastHalo ? 0. : fit.halo, visit.haloError), visit.camera, measurement);
+      addHaloDoubt(fit.halo < leastHalo ? 0. : fit.halo, visit.camera, measurement);
+      if (visit.maskDoubt != nullptr) {
+        forEachPose(measurement, [&](FittedPose &pose) { pose.covariance += *visit.maskDoubt; });
+      }
     }
     addLightDoubt(visit.camera, measurement);
   }
@@ -263,6 +206,9 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
   if (!measurement) {
     return false;
   }
+  fit.measurement = measurement;
+  fit.pixels = workspace.measuring.pixels.size();
+  fit.left = unexplainedBy(measurement->first) / visit.noise.sigma;
   addDoubts(visit, outline, marker, workspace, *measurement, fit);
   // Of a blurred outline pieces are missed, but a marker that is read through a blur shows all of its image.
   const double visible = marker.blurred        ? 1.

@@ -44,6 +44,9 @@ struct Recognition
   bool isCertain = true;                    //!< Whether the code was read well enough; else it has to be proven.
   //! Of each sector of the code, as it was read: 0 is white, 1 is black. Where that is better than the code itself.
   std::optional<std::array<float, mostSectors>> darkness;
+  //! If it is measured in what an image was before the camera sharpened it, the image as it is, whose grey levels may
+  //! have been cut off; else nullptr.
+  const vpImage<unsigned char> *asSeen = nullptr;
   std::optional<BlurredPoses> blurred; //!< How well \e poses are known where they were read through a blur.
 
   /*! Whether it has a code, which may not be read yet. */

@@ -166,6 +166,7 @@ private:
   {
     selectFewPixels(m_view.I, m_view.camera, m_view.frame, around.data(), around.size(), m_pattern, blur, m_pixels);
     dropCovered(m_view.marker, m_pixels);
+    dropCutOff(m_view, m_pixels);
     evenOut(m_view, m_pixels);
   }
 
@@ -215,6 +216,21 @@ void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels)
     return !seen.holds(meter) && !(keepsTrack && seen.isOnTrack(meter));
   };
   pixels.erase(std::remove_if(pixels.begin(), pixels.end(), isCovered), pixels.end());
+}
+
+void dropCutOff(const MarkerInImage &view, std::vector<FitPixel> &pixels)
+{
+  const vpImage<unsigned char> *asSeen = view.marker.asSeen;
+  if (asSeen == nullptr) {
+    return;
+  }
+  const auto isCutOff = [&](const FitPixel &pixel) {
+    const Eigen::Vector2d place = view.frame.center + view.frame.size * pixel.offset.cast<double>();
+    const int grey = (*asSeen)[static_cast<unsigned int>(std::lround(place.y()))]
+                              [static_cast<unsigned int>(std::lround(place.x()))];
+    return mayBeTooBright(grey) || mayBeTooDark(grey);
+  };
+  pixels.erase(std::remove_if(pixels.begin(), pixels.end(), isCutOff), pixels.end());
 }
 
 void evenOut(const MarkerInImage &view, std::vector<FitPixel> &pixels)

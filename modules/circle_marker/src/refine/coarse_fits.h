@@ -47,6 +47,9 @@ BlurParameters boundedBlur(const BlurParameters &fitted);
 */
 void dropCovered(const Recognition &marker, std::vector<FitPixel> &pixels);
 
+/*! Leaves out what the sensor cut off, where a marker is measured in what the image was before it was sharpened. */
+void dropCutOff(const MarkerInImage &view, std::vector<FitPixel> &pixels);
+
 /*!
   Takes pixels to even light, if the light on the marker is known to be uneven. Those that are as bright as the sensor
   tells are left out: in even light nothing would show that they are.

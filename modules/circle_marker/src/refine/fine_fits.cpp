@@ -94,6 +94,7 @@ RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, boo
   memory.fitter->selectPixels(view.I, view.camera, view.frame, planes.data(), fits.size(), pattern, choice,
                               memory.pixels);
   dropCovered(view.marker, memory.pixels);
+  dropCutOff(view, memory.pixels);
   evenOut(view, memory.pixels);
   Few<FitStart> starts;
   for (const FittedPose &fit : fits) {

@@ -1,0 +1,300 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The mask of a camera that sharpens, by how well it explains a whole marker.
+ */
+
+#include "refine/mask_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "refine/coarse_fits.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+namespace {
+// What a mask adds at the frequency of exp(-0.3 sigma^2), 0.77 rad a pixel, is its strength: there the masks that leave
+// nearly the same image, narrow ones of a large amount and wide ones of a small one, are alike.
+constexpr double ofStrength = 0.3;
+// Masks that are one: widths, pixels, and amounts. (unsharp_mask.cpp has the same.)
+constexpr double leastSigma = 0.5;
+constexpr double mostSigma = 5.;
+constexpr double mostAmount = 6.;
+// Where a search in vain begins again: strong sharpening by wide masks, which are not seen behind weak narrow ones. The
+// strength is that of an amount of 1.4.
+constexpr double strongSigma = 2.;
+constexpr double strongStrength = 1.;
+// Widths are tried in steps of this, ln.
+constexpr double stepOfWidth = 0.35;
+constexpr int mostSteps = 4;
+// Rounds in which the parabola's vertex is tried; the last is when it promises less than this of the log-likelihood.
+constexpr int mostRounds = 6;
+constexpr double negligible = 0.1;
+// Or when it is nearer than this share of a step of the width, and of what that is for the strength.
+constexpr double leastStep = 0.1;
+// What nothing tells: a width of one pixel or of two, ln; and a strength, share of itself. Standard deviations.
+constexpr double widthOfCameras = 0.7;
+constexpr double strengthOfCameras = 1.;
+
+double attenuationOf(double sigma)
+{
+  return 1. - std::exp(-ofStrength * sigma * sigma);
+}
+
+double strengthOf(const UnsharpMask &mask)
+{
+  return mask.amount * attenuationOf(mask.sigma);
+}
+
+// Mean of the logarithm of a mask's gain over all frequencies of pixels.
+double lnGainOf(const UnsharpMask &mask)
+{
+  constexpr int steps = 12; // in each direction: to 0.001 of the sum
+  double sum = 0.;
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; j < steps; ++j) {
+      const double squares = std::pow(M_PI * (i + 0.5) / steps, 2.) + std::pow(M_PI * (j + 0.5) / steps, 2.);
+      sum += std::log1p(mask.amount * (1. - std::exp(-0.5 * mask.sigma * mask.sigma * squares)));
+    }
+  }
+  return sum / (steps * steps);
+}
+
+// Of a measurement the pose that is nearer to another one.
+const FittedPose &nearer(const Measurement &measurement, const MarkerPlane &plane)
+{
+  const auto alike = [&plane](const FittedPose &fit) { return fit.plane.rotation.col(2).dot(plane.rotation.col(2)); };
+  const auto &second = measurement.second;
+  return second && alike(*second) > alike(measurement.first) ? *second : measurement.first;
+}
+
+// From one pose to another: of the centre, metres, and of the normal, as a rotation, rad. No mask turns a marker about
+// its normal.
+Eigen::Matrix<double, 6, 1> change(const MarkerPlane &from, const MarkerPlane &to)
+{
+  Eigen::Matrix<double, 6, 1> pose;
+  pose << to.center * (from.radius / to.radius) - from.center, from.rotation.col(2).cross(to.rotation.col(2));
+  return pose;
+}
+} // namespace
+
+MaskSearch::MaskSearch(const FittedPose &start, MeasureBehind measureBehind)
+    : m_start(start.plane), m_measureBehind(std::move(measureBehind)), m_white(start.photometry.white),
+      m_ink(m_white * (1. - start.photometry.contrast()))
+{
+}
+
+std::optional<SearchedMask> MaskSearch::run(const UnsharpMask &start)
+{
+  double lnSigma = std::log(std::clamp(start.sigma, leastSigma, mostSigma));
+  const double none = tryAt(0., lnSigma);
+  if (!searchStrength(strengthOf(start), lnSigma)) {
+    lnSigma = std::log(strongSigma);
+    if (!searchStrength(strongStrength, lnSigma)) {
+      return std::nullopt;
+    }
+  }
+  searchWidth();
+  const Trial wide = m_trials[m_best];
+  if (wide.place[1] != lnSigma) {
+    searchStrength(wide.place[0], wide.place[1]);
+    searchWidth();
+  }
+  searchBoth();
+  SearchedMask found = result();
+  const Trial &best = m_trials[m_best];
+  found.gain = 0.5 * best.pixels * std::log(none / best.left);
+  return found;
+}
+
+UnsharpMask MaskSearch::maskAt(const Eigen::Vector2d &place) const
+{
+  UnsharpMask mask;
+  mask.sigma = std::exp(place[1]);
+  mask.amount = place[0] / attenuationOf(mask.sigma);
+  mask.white = m_white;
+  mask.ink = m_ink;
+  return mask;
+}
+
+// What is left behind a mask, whether it was tried before or not: grey levels^2.
+double MaskSearch::leftAt(double strength, double lnSigma)
+{
+  for (const Trial &trial : m_trials) {
+    if (trial.place[0] == strength && (trial.place[1] == lnSigma || strength == 0.)) {
+      return trial.left;
+    }
+  }
+  return tryAt(strength, lnSigma);
+}
+
+// The same of one that was not.
+double MaskSearch::tryAt(double strength, double lnSigma)
+{
+  Trial trial;
+  trial.place << strength, lnSigma;
+  const UnsharpMask mask = maskAt(trial.place);
+  const auto behind = m_measureBehind(mask);
+  if (!behind) {
+    m_trials.push_back(trial);
+    return HUGE_VAL;
+  }
+  const FittedPose &fit = behind->measurement.first;
+  trial.pixels = static_cast<double>(behind->pixels) / fit.sharing;
+  trial.left = std::pow(unexplainedBy(fit) * std::exp(lnGainOf(mask)), 2.);
+  trial.pose = change(m_start, nearer(behind->measurement, m_start).plane);
+  m_trials.push_back(trial);
+  if (trial.left < m_trials[m_best].left) {
+    m_best = m_trials.size() - 1;
+    m_white = fit.photometry.white;
+    m_ink = m_white * (1. - fit.photometry.contrast());
+  }
+  return trial.left;
+}
+
+// The best strength of a width. False if none is better than what is known.
+bool MaskSearch::searchStrength(double strength, double lnSigma)
+{
+  const double most = mostAmount * attenuationOf(std::exp(lnSigma));
+  strength = std::min(strength, 0.5 * most);
+  const double none = m_trials[0].left;
+  double at = leftAt(strength, lnSigma);
+  if (at >= none && std::isfinite(none)) {
+    strength /= 3.;
+    at = leftAt(strength, lnSigma);
+  }
+  if (at >= none) {
+    return false;
+  }
+  double below = none;
+  double twice = leftAt(2. * strength, lnSigma);
+  double from = 0.;
+  while (twice < at && 4. * strength <= most) {
+    below = at;
+    at = twice;
+    from = strength;
+    strength *= 2.;
+    twice = leftAt(2. * strength, lnSigma);
+  }
+  // The vertex of the parabola through three values, by divided differences.
+  const double up = (twice - at) / strength;
+  const double down = (at - below) / (strength - from);
+  const double curvature = (up - down) / (2. * strength - from); // half of it
+  if (std::isfinite(curvature) && curvature > 0.) {
+    const double vertex = 0.5 * (strength + from) - 0.5 * down / curvature;
+    leftAt(std::clamp(vertex, 0.5 * (from + strength), 1.5 * strength), lnSigma);
+  }
+  return true;
+}
+
+// Narrower and wider masks of the best strength.
+void MaskSearch::searchWidth()
+{
+  const Trial start = m_trials[m_best];
+  for (const double direction : {-1., 1.}) {
+    double before = start.left;
+    for (int step = 1; step <= mostSteps; ++step) {
+      const double lnSigma = start.place[1] + direction * step * stepOfWidth;
+      if (lnSigma < std::log(leastSigma) || lnSigma > std::log(mostSigma)) {
+        break;
+      }
+      const double left = leftAt(start.place[0], lnSigma);
+      if (left >= before) {
+        break;
+      }
+      before = left;
+    }
+  }
+}
+
+void MaskSearch::searchBoth()
+{
+  for (int round = 0; round < mostRounds; ++round) {
+    const auto there = surface();
+    if (!there) {
+      return;
+    }
+    const Trial &best = m_trials[m_best];
+    // As far as the next trials at most.
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(there->curvature);
+    const Eigen::Vector2d values = axes.eigenvalues().cwiseMax(1e-3 * best.left);
+    const Eigen::Vector2d along = axes.eigenvectors().transpose() * there->slope;
+    Eigen::Vector2d step = -axes.eigenvectors() * along.cwiseQuotient(values);
+    const double promised = -(there->slope.dot(step) + 0.5 * step.dot(there->curvature * step));
+    step = step.cwiseMax(-1.).cwiseMin(1.);
+    if (0.5 * best.pixels * promised / best.left < negligible || step.norm() < leastStep) {
+      return;
+    }
+    const Eigen::Vector2d place = best.place + step.cwiseProduct(there->unit);
+    tryAt(std::max(place[0], 0.3 * best.place[0]), std::clamp(place[1], std::log(leastSigma), std::log(mostSigma)));
+  }
+}
+
+std::optional<MaskSearch::Surface> MaskSearch::surface() const
+{
+  const Trial &best = m_trials[m_best];
+  if (m_best == 0 || m_trials.size() < 6) {
+    return std::nullopt;
+  }
+  Surface result;
+  result.unit << 0.3 * best.place[0], stepOfWidth;
+  Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
+  Eigen::Matrix3d ofLine = Eigen::Matrix3d::Zero();
+  Eigen::Matrix<double, 3, 6> ofPose = Eigen::Matrix<double, 3, 6>::Zero();
+  for (const Trial &trial : m_trials) {
+    if (!std::isfinite(trial.left)) {
+      continue;
+    }
+    const Eigen::Vector2d d = (trial.place - best.place).cwiseQuotient(result.unit);
+    const double weight = std::pow(best.left / trial.left, 2.) / (1. + d.squaredNorm());
+    Eigen::Matrix<double, 6, 1> row;
+    row << 1., d[0], d[1], 0.5 * d[0] * d[0], d[0] * d[1], 0.5 * d[1] * d[1];
+    matrix += weight * row * row.transpose();
+    right += weight * trial.left * row;
+    ofLine += weight * row.head<3>() * row.head<3>().transpose();
+    ofPose += weight * row.head<3>() * trial.pose.transpose();
+  }
+  matrix.diagonal() += Eigen::Matrix<double, 6, 1>::Constant(1e-9);
+  ofLine.diagonal() += Eigen::Vector3d::Constant(1e-9);
+  const Eigen::Matrix<double, 6, 1> c = matrix.ldlt().solve(right);
+  result.slope = c.segment<2>(1);
+  result.curvature << c[3], c[4], c[4], c[5];
+  result.poseSlope = ofLine.ldlt().solve(ofPose).bottomRows<2>().transpose();
+  return result;
+}
+
+SearchedMask MaskSearch::result() const
+{
+  const Trial &best = m_trials[m_best];
+  SearchedMask found;
+  found.mask = maskAt(best.place);
+  if (const auto there = surface()) {
+    // Information of the likelihood, which is nowhere less than none, and of what cameras do.
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(0.5 * best.pixels / best.left * there->curvature);
+    Eigen::Matrix2d information =
+        axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.).asDiagonal() * axes.eigenvectors().transpose();
+    information(0, 0) += std::pow(there->unit[0] / (strengthOfCameras * best.place[0]), 2.);
+    information(1, 1) += std::pow(there->unit[1] / widthOfCameras, 2.);
+    found.doubt = there->poseSlope * information.inverse() * there->poseSlope.transpose();
+  }
+  return found;
+}
+} // namespace circle_marker
+END_VISP_NAMESPACE

@@ -1,0 +1,116 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * The mask of a camera that sharpens, by how well it explains a whole marker.
+ */
+
+/*!
+  \file mask_search.h
+  \brief The unsharp mask behind which a marker is explained best.
+*/
+
+#ifndef VP_CIRCLE_MARKER_MASK_SEARCH_H
+#define VP_CIRCLE_MARKER_MASK_SEARCH_H
+
+#include <functional>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "refine/measure.h"
+#include "refine/unsharp_mask.h"
+#include "support/few.h"
+
+BEGIN_VISP_NAMESPACE
+namespace circle_marker {
+/*! A mask, and what the pose depends on it. */
+struct SearchedMask
+{
+  UnsharpMask mask;
+  double gain = 0.; //!< Of log-likelihood, against the image as it is.
+  //! Covariance of the pose by what is not known of the mask: of (t, w) in the camera frame, as FittedPose's.
+  Eigen::Matrix<double, 6, 6> doubt = Eigen::Matrix<double, 6, 6>::Zero();
+};
+
+/*! A marker behind a mask. */
+struct MeasuredBehind
+{
+  Measurement measurement;
+  std::size_t pixels = 0; //!< Number of pixels that it was fitted to.
+};
+
+/*!
+  The maximum-likelihood estimate of a mask. An image y that was sharpened by a mask M from what a marker and white
+  noise of standard deviation sigma make has the negative log-likelihood N (ln sigma + ln |M|), where ln |M| is the mean
+  of the logarithm of the mask's gain over all frequencies, and sigma is what the marker leaves of the N pixels once the
+  mask is undone. Its minimum is looked for by the parabola through what was measured behind other masks; and its
+  curvature, with the change of the pose from mask to mask, tells how well the pose is known though the mask is not.
+*/
+class MaskSearch
+{
+public:
+  /*! Measures the marker in the image before a mask, or finds that it is none there. */
+  using MeasureBehind = std::function<std::optional<MeasuredBehind>(const UnsharpMask &)>;
+
+  /*!
+    \param start : The marker as it was measured, or only its pose.
+    \param measureBehind : Measures it behind a mask.
+  */
+  MaskSearch(const FittedPose &start, MeasureBehind measureBehind);
+
+  /*!
+    Looks for the mask.
+    \param start : Where to begin.
+    \return Nothing if no mask explains the image better than none.
+  */
+  std::optional<SearchedMask> run(const UnsharpMask &start);
+
+private:
+  /*! A mask that was tried. */
+  struct Trial
+  {
+    Eigen::Vector2d place;                                                  // strength, and ln of the width in pixels
+    double left = HUGE_VAL;                                                 // sigma^2 |M|^2, grey levels^2
+    double pixels = 0.;                                                     // that have noise of their own
+    Eigen::Matrix<double, 6, 1> pose = Eigen::Matrix<double, 6, 1>::Zero(); // against the start: (t, w)
+  };
+  /*! Parabola through what the trials left, and line through their poses; both about the best trial. */
+  struct Surface
+  {
+    Eigen::Vector2d unit; // of the coordinates
+    Eigen::Vector2d slope;
+    Eigen::Matrix2d curvature;
+    Eigen::Matrix<double, 6, 2> poseSlope;
+  };
+
+  UnsharpMask maskAt(const Eigen::Vector2d &place) const;
+  double leftAt(double strength, double lnSigma);
+  double tryAt(double strength, double lnSigma);
+  bool searchStrength(double strength, double lnSigma);
+  void searchWidth();
+  void searchBoth();
+  std::optional<Surface> surface() const;
+  SearchedMask result() const;
+
+  MarkerPlane m_start;
+  MeasureBehind m_measureBehind;
+  Few<Trial, 40> m_trials;
+  std::size_t m_best = 0; // of the trials
+  double m_white;         // grey level of paper beside the marker,
+  double m_ink;           // and of its ink
+};
+} // namespace circle_marker
+END_VISP_NAMESPACE
+
+#endif

@@ -1,0 +1,158 @@
+/*
+ * Circular fiducial markers for ViSP, the Visual Servoing Platform.
+ *
+ * This software is free software; you can redistribute it and/or modify
+ * it under the terms of the GNU General Public License as published by
+ * the Free Software Foundation; either version 2 of the License, or
+ * (at your option) any later version.
+ * See the file LICENSE at the root directory of this source
+ * distribution for additional information about the GNU GPL.
+ *
+ * This file is provided AS IS with NO WARRANTY OF ANY KIND, INCLUDING THE
+ * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
+ *
+ * Description:
+ * A marker in an image that the camera has sharpened: measured in what that was before.
+ */
+
+#include "vpDetectorCircleMarkerImpl.h"
+
+#include <algorithm>
+
+#include "refine/coarse_fits.h"
+#include "refine/fit_starts.h"
+#include "support/sensor_range.h"
+#include "outer_edge.h"
+
+BEGIN_VISP_NAMESPACE
+
+using namespace circle_marker;
+
+namespace {
+// What leaves more than this factor of the noise may have been sharpened: fits of images that were not leave 1.0 to
+// 1.08 times as much, and without noise this share of the contrast at most.
+constexpr double muchLeft = 1.03;
+constexpr double byChance = 1.2; // by the square root of the number of pixels: two standard deviations
+constexpr double lacking = 0.001;
+// What is like no marker in the image as it is leaves no more than this factor of the noise in what that was before:
+// undoing a mask takes from what covers a part of a code, too.
+constexpr double mostLeftOfUnlike = 1.6;
+// By so much, ln, a mask has to make the image likelier. (Two parameters gain 1 by chance.)
+constexpr double leastGain = 10.;
+// Where the search for a mask begins if the ring does not show it: what many cameras do.
+constexpr double usualAmount = 0.5;
+constexpr double usualSigma = 1.; // pixels
+
+// Whether a fit to so many pixels leaves more of the image than noise and what the model lacks.
+bool leavesMuch(const FittedPose &fit, std::size_t pixels, double noise)
+{
+  const double most = muchLeft + byChance * std::sqrt(fit.sharing / static_cast<double>(pixels));
+  return fit.noise > std::hypot(most * std::max(noise, quantisation), lacking * fit.photometry.tellableContrast());
+}
+
+// Noise behind a mask: of the highest frequencies, by which a marker is measured.
+ImageNoise noiseBehind(const UnsharpMask &mask, const ImageNoise &noise)
+{
+  return {noise.sigma / (1. + mask.amount), noise.sharing, noise.isResampled};
+}
+
+cv::Rect boxOf(const PixelBox &box)
+{
+  return {box.left, box.top, box.width(), box.height()};
+}
+} // namespace
+
+/*!
+  The same, whatever the ratio of a ring. What is none though its code was read, or looks like it, may be in an image
+  that the camera has sharpened: then it is measured in what the image was before.
+*/
+bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const EllipseCandidate &outline,
+                                                    const Recognition &marker, Workspace &workspace, Found &measured,
+                                                    Fit &fit) const
+{
+  const bool isMeasured = measureIn(visit, outline, marker, workspace, measured, fit);
+  if (!settings.refinePose || marker.seen || marker.blurred || visit.deadline.hasPassed()) {
+    return isMeasured;
+  }
+  const auto isExplained = [&] {
+    return fit.halo < leastHalo && !leavesMuch(fit.measurement->first, fit.pixels, visit.noise.sigma);
+  };
+  if (isMeasured ? isExplained() : !marker.isCertain) {
+    return isMeasured;
+  }
+  if (!isMeasured) {
+    for (const MarkerPlane &pose : marker.poses) {
+      fit.poses.push_back(pose);
+    }
+  }
+  UnsharpMask usual;
+  usual.amount = usualAmount;
+  usual.sigma = usualSigma;
+  const auto told = unsharpMaskOf(visit.I, visit.camera, fit.poses, marker.family.getLayout());
+  const bool isRestored =
+      searchMask(visit, told.value_or(usual), outline, isMeasured ? measured.marker : marker, workspace, fit, measured);
+  return isMeasured || (isRestored && fit.left < mostLeftOfUnlike);
+}
+
+/*!
+  Looks for the mask behind which a marker is explained best, and measures it there. False, and nothing changes, if the
+  image was not sharpened.
+*/
+bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const UnsharpMask &start,
+                                              const EllipseCandidate &outline, const Recognition &marker,
+                                              Workspace &workspace, Fit &fit, Found &measured) const
+{
+  Recognition there = marker;
+  there.asSeen = &visit.I;
+  there.poses[0] = fit.poses[0].flattened();
+  there.poses[1] = fit.poses.size() > 1 ? fit.poses[1].flattened() : mirrored(there.poses[0]);
+  const cv::Rect around = boxOf(surroundingsOf(outline, there.family, visit.I));
+  const auto behind = [&](const UnsharpMask &mask) -> std::optional<MeasuredBehind> {
+    if (!undo(mask, visit.I, around, visit.deadline, workspace.restored)) {
+      return std::nullopt;
+    }
+    const auto measurement = measure(workspace.restored, visit.camera, there, true, workspace.measuring, visit.deadline,
+                                     noiseBehind(mask, visit.noise));
+    return measurement ? std::make_optional(MeasuredBehind{*measurement, workspace.measuring.pixels.size()})
+                       : std::nullopt;
+  };
+  FittedPose from;
+  from.plane = there.poses[0];
+  if (fit.measurement) {
+    from = fit.measurement->first;
+  }
+  else { // nothing is known of paper and ink
+    from.photometry.white = 255.;
+    from.photometry.absorption = 1.;
+  }
+  MaskSearch search(from, behind);
+  const auto found = search.run(start);
+  return found && found->gain > leastGain && !visit.deadline.hasPassed() &&
+         measureBehind(visit, *found, outline, there, workspace, fit, measured);
+}
+
+/*! A marker in what the image was before a mask; false, and nothing changes, if it is none there. */
+bool vpDetectorCircleMarker::Impl::measureBehind(const Visit &visit, const SearchedMask &found,
+                                                 const EllipseCandidate &outline, const Recognition &marker,
+                                                 Workspace &workspace, Fit &fit, Found &measured) const
+{
+  const cv::Rect around = boxOf(surroundingsOf(outline, marker.family, visit.I));
+  if (!undo(found.mask, visit.I, around, visit.deadline, workspace.restored)) {
+    return false;
+  }
+  const ImageNoise noise = noiseBehind(found.mask, visit.noise);
+  const Visit before = {workspace.restored, visit.size,   visit.camera,          visit.deadline, noise,
+                        visit.isSizeGiven,  &found.doubt, visit.isCameraGuessed, false};
+  Fit restoredFit;
+  Found restored;
+  if (!measureIn(before, outline, marker, workspace, restored, restoredFit)) {
+    return false;
+  }
+  restored.noise = visit.noise;
+  restored.marker.asSeen = nullptr;
+  measured = std::move(restored);
+  fit = restoredFit;
+  return true;
+}
+
+END_VISP_NAMESPACE
