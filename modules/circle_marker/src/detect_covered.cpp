@@ -233,8 +233,13 @@ WholeVerdict judgeWhole(const vpImage<unsigned char> &I, const CameraModel &came
   const MeasuredRing ring = ringOf(measurement, marker.poses[0], camera);
   TrackPixels pixels(I, camera, ring, marker.family, memory.track);
   pixels.turnTo(0.);
-  const WholeVerdict verdict =
-      verdictByPixels(doubts, noise, measurement.first, pixels, marker.family.getCodeword(marker.code.id));
+  const CyclicCode::Word word = marker.family.getCodeword(marker.code.id);
+  WholeVerdict verdict = verdictByPixels(doubts, noise, measurement.first, pixels, word);
+  // Where outline and pixels are missing, what covers a part of the code may be like paper: it has to be the likeliest.
+  const bool isHalfSeen = doubts.isPartMissing && doubts.isPartLeftOut;
+  if (verdict == WholeVerdict::RIGHT && isHalfSeen && !isLikeliest(pixels, word, marker.family)) {
+    verdict = WholeVerdict::COVERED;
+  }
   return verdict == WholeVerdict::COVERED && doubts.isPartLeftOutOnly() ? WholeVerdict::DOUBTFUL : verdict;
 }
 
