@@ -113,7 +113,7 @@ private:
     circle_marker::Few<circle_marker::MarkerPlane> poses; //!< Where it may be.
     std::optional<circle_marker::Measurement>
         measurement;          //!< Before what is in doubt was added; nothing if there is none.
-    std::size_t pixels = 0;                               //!< Number of pixels that it was fitted to.
+    std::size_t pixels = 0;   //!< Number of pixels that it was fitted to.
     double left = HUGE_VAL;   //!< What that leaves, in units of the image's noise.
     double halo = 1.;         //!< Of its outer edge (haloOf()), if it is measured.
     bool isOtherRing = false; //!< Whether it is a plain ring of another ratio of radii.
@@ -187,9 +187,8 @@ private:
                         Fit &fit) const;
   bool measureIn(const Visit &visit, const circle_marker::EllipseCandidate &outline, circle_marker::Recognition marker,
                  Workspace &workspace, Found &measured, Fit &fit) const;
-  bool searchMask(const Visit &visit, const circle_marker::UnsharpMask &start,
-                  const circle_marker::EllipseCandidate &outline, const circle_marker::Recognition &marker,
-                  Workspace &workspace, Fit &fit, Found &measured) const;
+  bool searchMask(const Visit &visit, const circle_marker::EllipseCandidate &outline,
+                  const circle_marker::Recognition &marker, Workspace &workspace, Fit &fit, Found &measured) const;
   bool measureBehind(const Visit &visit, const circle_marker::SearchedMask &found,
                      const circle_marker::EllipseCandidate &outline, const circle_marker::Recognition &marker,
                      Workspace &workspace, Fit &fit, Found &measured) const;

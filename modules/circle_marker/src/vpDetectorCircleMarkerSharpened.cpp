@@ -37,11 +37,10 @@ constexpr double lacking = 0.001;
 // What is like no marker in the image as it is leaves no more than this factor of the noise in what that was before:
 // undoing a mask takes from what covers a part of a code, too.
 constexpr double mostLeftOfUnlike = 1.6;
+// And it has no larger radius than this, pixels: halos are some pixels wide, and large markers are like one with them.
+constexpr double largestUnlike = 60.;
 // By so much, ln, a mask has to make the image likelier. (Two parameters gain 1 by chance.)
 constexpr double leastGain = 10.;
-// Where the search for a mask begins if the ring does not show it: what many cameras do.
-constexpr double usualAmount = 0.5;
-constexpr double usualSigma = 1.; // pixels
 
 // Whether a fit to so many pixels leaves more of the image than noise and what the model lacks.
 bool leavesMuch(const FittedPose &fit, std::size_t pixels, double noise)
@@ -77,7 +76,10 @@ bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const El
   const auto isExplained = [&] {
     return fit.halo < leastHalo && !leavesMuch(fit.measurement->first, fit.pixels, visit.noise.sigma);
   };
-  if (isMeasured ? isExplained() : !marker.isCertain) {
+  const auto mayBeRestored = [&] {
+    return marker.isCertain && frameOf(marker.poses[0], visit.camera).size < largestUnlike;
+  };
+  if (isMeasured ? isExplained() : !mayBeRestored()) {
     return isMeasured;
   }
   if (!isMeasured) {
@@ -85,12 +87,7 @@ bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const El
       fit.poses.push_back(pose);
     }
   }
-  UnsharpMask usual;
-  usual.amount = usualAmount;
-  usual.sigma = usualSigma;
-  const auto told = unsharpMaskOf(visit.I, visit.camera, fit.poses, marker.family.getLayout());
-  const bool isRestored =
-      searchMask(visit, told.value_or(usual), outline, isMeasured ? measured.marker : marker, workspace, fit, measured);
+  const bool isRestored = searchMask(visit, outline, isMeasured ? measured.marker : marker, workspace, fit, measured);
   return isMeasured || (isRestored && fit.left < mostLeftOfUnlike);
 }
 
@@ -98,9 +95,9 @@ bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const El
   Looks for the mask behind which a marker is explained best, and measures it there. False, and nothing changes, if the
   image was not sharpened.
 */
-bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const UnsharpMask &start,
-                                              const EllipseCandidate &outline, const Recognition &marker,
-                                              Workspace &workspace, Fit &fit, Found &measured) const
+bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const EllipseCandidate &outline,
+                                              const Recognition &marker, Workspace &workspace, Fit &fit,
+                                              Found &measured) const
 {
   Recognition there = marker;
   there.asSeen = &visit.I;
@@ -111,8 +108,8 @@ bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const UnsharpM
     if (!undo(mask, visit.I, around, visit.deadline, workspace.restored)) {
       return std::nullopt;
     }
-    const auto measurement = measure(workspace.restored, visit.camera, there, true, workspace.measuring, visit.deadline,
-                                     noiseBehind(mask, visit.noise));
+    const auto measurement = measureInOneLook(workspace.restored, visit.camera, there, workspace.measuring,
+                                              visit.deadline, noiseBehind(mask, visit.noise));
     return measurement ? std::make_optional(MeasuredBehind{*measurement, workspace.measuring.pixels.size()})
                        : std::nullopt;
   };
@@ -125,8 +122,8 @@ bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const UnsharpM
     from.photometry.white = 255.;
     from.photometry.absorption = 1.;
   }
-  MaskSearch search(from, behind);
-  const auto found = search.run(start);
+  MaskSearch search(from, fit.measurement.has_value(), std::max(visit.noise.sigma, quantisation), behind);
+  const auto found = search.run();
   return found && found->gain > leastGain && !visit.deadline.hasPassed() &&
          measureBehind(visit, *found, outline, there, workspace, fit, measured);
 }

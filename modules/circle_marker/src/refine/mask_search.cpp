@@ -18,6 +18,7 @@
 #include "refine/mask_search.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -32,22 +33,31 @@ namespace {
 // What a mask adds at the frequency of exp(-0.3 sigma^2), 0.77 rad a pixel, is its strength: there the masks that leave
 // nearly the same image, narrow ones of a large amount and wide ones of a small one, are alike.
 constexpr double ofStrength = 0.3;
-// Masks that are one: widths, pixels, and amounts. (unsharp_mask.cpp has the same.)
+// Masks that are one: widths, pixels, and amounts. A narrower one is a sharper lens, a wider one a veil of light.
 constexpr double leastSigma = 0.5;
 constexpr double mostSigma = 5.;
 constexpr double mostAmount = 6.;
-// Where a search in vain begins again: strong sharpening by wide masks, which are not seen behind weak narrow ones. The
-// strength is that of an amount of 1.4.
-constexpr double strongSigma = 2.;
-constexpr double strongStrength = 1.;
+// Where the search begins, amount and pixels: what many cameras do; and if that does not explain the image, strong
+// sharpening by wide masks, which is not seen behind weak narrow ones.
+constexpr std::array<UnsharpMask, 3> starts = {{{0.5, 1.}, {1.4, 2.}, {3., 2.}}};
 // Widths are tried in steps of this, ln.
 constexpr double stepOfWidth = 0.35;
 constexpr int mostSteps = 4;
 // Rounds in which the parabola's vertex is tried; the last is when it promises less than this of the log-likelihood.
 constexpr int mostRounds = 6;
 constexpr double negligible = 0.1;
-// Or when it is nearer than this share of a step of the width, and of what that is for the strength.
+// Or when it is nearer to another trial than this share of a step of the width, and of what that is for the strength.
 constexpr double leastStep = 0.1;
+// What leaves no more than this factor of the noise is explained; else other starts are tried, up to so many trials.
+constexpr double mostLeft = 1.12;
+constexpr std::size_t mostTrials = 30;
+// Up to so many where the marker is like none in the image as it is: it may be none.
+constexpr std::size_t mostTrialsOfUnlike = 15;
+// A mask leaves less than this share of the variance that none leaves, or there is none: any leaves some hundredths
+// less of what has other reasons. And where one leaves this many times as much, a weaker one of its width is none
+// either.
+constexpr double clearlyLess = 0.9;
+constexpr double muchWorse = 1.1;
 // What nothing tells: a width of one pixel or of two, ln; and a strength, share of itself. Standard deviations.
 constexpr double widthOfCameras = 0.7;
 constexpr double strengthOfCameras = 1.;
@@ -60,6 +70,11 @@ double attenuationOf(double sigma)
 double strengthOf(const UnsharpMask &mask)
 {
   return mask.amount * attenuationOf(mask.sigma);
+}
+
+double mostStrengthOf(double lnSigma)
+{
+  return mostAmount * attenuationOf(std::exp(lnSigma));
 }
 
 // Mean of the logarithm of a mask's gain over all frequencies of pixels.
@@ -94,33 +109,63 @@ Eigen::Matrix<double, 6, 1> change(const MarkerPlane &from, const MarkerPlane &t
 }
 } // namespace
 
-MaskSearch::MaskSearch(const FittedPose &start, MeasureBehind measureBehind)
-    : m_start(start.plane), m_measureBehind(std::move(measureBehind)), m_white(start.photometry.white),
-      m_ink(m_white * (1. - start.photometry.contrast()))
+MaskSearch::MaskSearch(const FittedPose &start, bool isMeasured, double noise, MeasureBehind measureBehind)
+    : m_start(start.plane), m_isMeasured(isMeasured), m_noise(noise), m_measureBehind(std::move(measureBehind)),
+      m_white(start.photometry.white), m_ink(m_white * (1. - start.photometry.contrast()))
 {
 }
 
-std::optional<SearchedMask> MaskSearch::run(const UnsharpMask &start)
+std::optional<SearchedMask> MaskSearch::run()
 {
-  double lnSigma = std::log(std::clamp(start.sigma, leastSigma, mostSigma));
-  const double none = tryAt(0., lnSigma);
-  if (!searchStrength(strengthOf(start), lnSigma)) {
-    lnSigma = std::log(strongSigma);
-    if (!searchStrength(strongStrength, lnSigma)) {
-      return std::nullopt;
+  const double none = tryAt(Eigen::Vector2d::Zero());
+  if (m_isMeasured && !std::isfinite(none)) { // in even light and without what is cut off it is none: no mask is why
+    return std::nullopt;
+  }
+  for (const UnsharpMask &start : starts) {
+    searchFrom(start);
+    if (isExplained() || isOver()) {
+      break;
     }
   }
-  searchWidth();
-  const Trial wide = m_trials[m_best];
-  if (wide.place[1] != lnSigma) {
-    searchStrength(wide.place[0], wide.place[1]);
-    searchWidth();
+  if (!isBetterThanNone()) {
+    return std::nullopt;
   }
-  searchBoth();
   SearchedMask found = result();
   const Trial &best = m_trials[m_best];
   found.gain = 0.5 * best.pixels * std::log(none / best.left);
   return found;
+}
+
+void MaskSearch::searchFrom(const UnsharpMask &start)
+{
+  const double lnSigma = std::log(start.sigma);
+  if (!searchStrength(strengthOf(start), lnSigma) || !isBetterThanNone()) {
+    return;
+  }
+  searchWidth();
+  const Eigen::Vector2d wide = m_trials[m_best].place;
+  if (wide[1] != lnSigma) {
+    searchStrength(wide[0], wide[1]);
+    searchWidth();
+  }
+  searchBoth();
+}
+
+// Whether the best mask leaves hardly more than noise.
+bool MaskSearch::isExplained() const
+{
+  const Trial &best = m_trials[m_best];
+  return best.noise < mostLeft * m_noise / (1. + maskAt(best.place).amount);
+}
+
+bool MaskSearch::isBetterThanNone() const
+{
+  return m_trials[m_best].left < clearlyLess * m_trials[0].left;
+}
+
+bool MaskSearch::isOver() const
+{
+  return m_trials.size() >= (std::isfinite(m_trials[0].left) ? mostTrials : mostTrialsOfUnlike);
 }
 
 UnsharpMask MaskSearch::maskAt(const Eigen::Vector2d &place) const
@@ -136,19 +181,17 @@ UnsharpMask MaskSearch::maskAt(const Eigen::Vector2d &place) const
 // What is left behind a mask, whether it was tried before or not: grey levels^2.
 double MaskSearch::leftAt(double strength, double lnSigma)
 {
-  for (const Trial &trial : m_trials) {
-    if (trial.place[0] == strength && (trial.place[1] == lnSigma || strength == 0.)) {
-      return trial.left;
-    }
-  }
-  return tryAt(strength, lnSigma);
+  const Eigen::Vector2d place(strength, lnSigma);
+  const auto *const known =
+      std::find_if(m_trials.begin(), m_trials.end(), [&](const Trial &trial) { return trial.place == place; });
+  return known != m_trials.end() ? known->left : tryAt(place);
 }
 
 // The same of one that was not.
-double MaskSearch::tryAt(double strength, double lnSigma)
+double MaskSearch::tryAt(const Eigen::Vector2d &place)
 {
   Trial trial;
-  trial.place << strength, lnSigma;
+  trial.place = place;
   const UnsharpMask mask = maskAt(trial.place);
   const auto behind = m_measureBehind(mask);
   if (!behind) {
@@ -157,6 +200,7 @@ double MaskSearch::tryAt(double strength, double lnSigma)
   }
   const FittedPose &fit = behind->measurement.first;
   trial.pixels = static_cast<double>(behind->pixels) / fit.sharing;
+  trial.noise = fit.noise;
   trial.left = std::pow(unexplainedBy(fit) * std::exp(lnGainOf(mask)), 2.);
   trial.pose = change(m_start, nearer(behind->measurement, m_start).plane);
   m_trials.push_back(trial);
@@ -168,14 +212,14 @@ double MaskSearch::tryAt(double strength, double lnSigma)
   return trial.left;
 }
 
-// The best strength of a width. False if none is better than what is known.
+// The best strength of a width. False if none is better than no mask.
 bool MaskSearch::searchStrength(double strength, double lnSigma)
 {
-  const double most = mostAmount * attenuationOf(std::exp(lnSigma));
+  const double most = mostStrengthOf(lnSigma);
   strength = std::min(strength, 0.5 * most);
   const double none = m_trials[0].left;
   double at = leftAt(strength, lnSigma);
-  if (at >= none && std::isfinite(none)) {
+  if (at >= none && at < muchWorse * none) {
     strength /= 3.;
     at = leftAt(strength, lnSigma);
   }
@@ -211,7 +255,7 @@ void MaskSearch::searchWidth()
     double before = start.left;
     for (int step = 1; step <= mostSteps; ++step) {
       const double lnSigma = start.place[1] + direction * step * stepOfWidth;
-      if (lnSigma < std::log(leastSigma) || lnSigma > std::log(mostSigma)) {
+      if (lnSigma < std::log(leastSigma) || lnSigma > std::log(mostSigma) || start.place[0] > mostStrengthOf(lnSigma)) {
         break;
       }
       const double left = leftAt(start.place[0], lnSigma);
@@ -238,18 +282,27 @@ void MaskSearch::searchBoth()
     Eigen::Vector2d step = -axes.eigenvectors() * along.cwiseQuotient(values);
     const double promised = -(there->slope.dot(step) + 0.5 * step.dot(there->curvature * step));
     step = step.cwiseMax(-1.).cwiseMin(1.);
-    if (0.5 * best.pixels * promised / best.left < negligible || step.norm() < leastStep) {
+    if (0.5 * best.pixels * promised / best.left < negligible || isOver()) {
       return;
     }
     const Eigen::Vector2d place = best.place + step.cwiseProduct(there->unit);
-    tryAt(std::max(place[0], 0.3 * best.place[0]), std::clamp(place[1], std::log(leastSigma), std::log(mostSigma)));
+    const auto isNear = [&](const Trial &trial) {
+      return (place - trial.place).cwiseQuotient(there->unit).norm() < leastStep;
+    };
+    if (std::any_of(m_trials.begin(), m_trials.end(), isNear)) {
+      return;
+    }
+    const double lnSigma = std::clamp(place[1], std::log(leastSigma), std::log(mostSigma));
+    tryAt({std::min(std::max(place[0], 0.3 * best.place[0]), mostStrengthOf(lnSigma)), lnSigma});
   }
 }
 
 std::optional<MaskSearch::Surface> MaskSearch::surface() const
 {
   const Trial &best = m_trials[m_best];
-  if (m_best == 0 || m_trials.size() < 6) {
+  const auto known =
+      std::count_if(m_trials.begin(), m_trials.end(), [](const Trial &trial) { return std::isfinite(trial.left); });
+  if (known < 6) { // as the parabola has coefficients
     return std::nullopt;
   }
   Surface result;

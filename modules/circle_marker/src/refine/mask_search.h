@@ -64,23 +64,25 @@ public:
   using MeasureBehind = std::function<std::optional<MeasuredBehind>(const UnsharpMask &)>;
 
   /*!
-    \param start : The marker as it was measured, or only its pose.
+    \param start : The marker as it was measured, or, where it was like none, only its pose, paper and ink.
+    \param isMeasured : Which of both.
+    \param noise : Standard deviation of the image's noise, grey levels.
     \param measureBehind : Measures it behind a mask.
   */
-  MaskSearch(const FittedPose &start, MeasureBehind measureBehind);
+  MaskSearch(const FittedPose &start, bool isMeasured, double noise, MeasureBehind measureBehind);
 
   /*!
     Looks for the mask.
-    \param start : Where to begin.
     \return Nothing if no mask explains the image better than none.
   */
-  std::optional<SearchedMask> run(const UnsharpMask &start);
+  std::optional<SearchedMask> run();
 
 private:
   /*! A mask that was tried. */
   struct Trial
   {
     Eigen::Vector2d place;                                                  // strength, and ln of the width in pixels
+    double noise = HUGE_VAL;                                                // what its fit leaves, grey levels
     double left = HUGE_VAL;                                                 // sigma^2 |M|^2, grey levels^2
     double pixels = 0.;                                                     // that have noise of their own
     Eigen::Matrix<double, 6, 1> pose = Eigen::Matrix<double, 6, 1>::Zero(); // against the start: (t, w)
@@ -96,7 +98,11 @@ private:
 
   UnsharpMask maskAt(const Eigen::Vector2d &place) const;
   double leftAt(double strength, double lnSigma);
-  double tryAt(double strength, double lnSigma);
+  double tryAt(const Eigen::Vector2d &place);
+  void searchFrom(const UnsharpMask &start);
+  bool isExplained() const;
+  bool isBetterThanNone() const;
+  bool isOver() const;
   bool searchStrength(double strength, double lnSigma);
   void searchWidth();
   void searchBoth();
@@ -104,6 +110,8 @@ private:
   SearchedMask result() const;
 
   MarkerPlane m_start;
+  bool m_isMeasured;
+  double m_noise;
   MeasureBehind m_measureBehind;
   Few<Trial, 40> m_trials;
   std::size_t m_best = 0; // of the trials

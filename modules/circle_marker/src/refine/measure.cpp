@@ -188,6 +188,15 @@ std::optional<Measurement> measureInLight(MarkerInImage &view, MarkerPattern pat
   return result;
 }
 
+MarkerPattern patternAsRead(const Recognition &marker)
+{
+  MarkerPattern pattern = patternOf(marker.family, marker.code.id);
+  if (marker.darkness) {
+    pattern.darkness = *marker.darkness;
+  }
+  return pattern;
+}
+
 // Whether a fit leaves much of the image. noise: its standard deviation, grey levels.
 bool leavesMuch(const FittedPose &fit, double noise)
 {
@@ -216,14 +225,19 @@ bool isOtherRing(const Recognition &marker, const FittedPose &fit, const CameraM
   return !marker.family.isCoded() && std::abs(blur.spread) > most;
 }
 
+std::optional<Measurement> measureInOneLook(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                            const Recognition &marker, MeasureMemory &memory, const Deadline &deadline,
+                                            const ImageNoise &noise)
+{
+  MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker, std::nullopt};
+  return measureInLight(view, patternAsRead(marker), true, false, memory, deadline, noise);
+}
+
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
                                    const Recognition &marker, bool refine, MeasureMemory &memory,
                                    const Deadline &deadline, const ImageNoise &noise)
 {
-  MarkerPattern pattern = patternOf(marker.family, marker.code.id);
-  if (marker.darkness) {
-    pattern.darkness = *marker.darkness;
-  }
+  const MarkerPattern pattern = patternAsRead(marker);
   const MarkerInImage asTold = {I, camera, frameOf(marker.poses[0], camera), marker,
                                 marker.measuredRing ? marker.measuredRing->uneven : std::nullopt};
   MarkerInImage view = asTold;

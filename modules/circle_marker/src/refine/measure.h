@@ -85,6 +85,13 @@ bool isOtherRing(const Recognition &marker, const FittedPose &fit, const CameraM
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
                                    const Recognition &marker, bool refine, MeasureMemory &memory,
                                    const Deadline &deadline = Deadline(), const ImageNoise &noise = ImageNoise());
+
+/*!
+  The same with less: in even light, whatever that leaves, for a marker that is measured many times.
+*/
+std::optional<Measurement> measureInOneLook(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                            const Recognition &marker, MeasureMemory &memory, const Deadline &deadline,
+                                            const ImageNoise &noise);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -12,101 +12,24 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * Sharpening of the camera: told from a marker's ring, and undone.
+ * Sharpening of the camera, undone.
  */
 
 #include "refine/unsharp_mask.h"
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
-#include "refine/mask_fit.h"
-#include "refine/plane_point.h"
 #include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// The ring is looked at along so many normals of its outer edge, up to so many pixels to either side.
-constexpr int normals = 64;
-constexpr int pixelsOfNormal = 9;
-// As far as this share of the quiet zone, and of the white gap inside of the ring: beyond, something else shows through
-// the mask. Inside of a plain ring anything may be printed, but this near to it, outer radii.
-constexpr double shareOfWhite = 0.6;
-constexpr double insideOfPlainRing = 0.06;
-constexpr double insideOfDisc = 0.5;
-// Between these limits, pixels and share, a mask is one. A narrower one is a sharper lens, a wider one a veil of light.
-constexpr double leastSigma = 0.5;
-constexpr double mostSigma = 5.;
-constexpr double leastAmount = 0.1;
-constexpr double mostAmount = 6.;
-// What overshoots an edge by less than this share of the contrast, or is known no better, is none.
-constexpr double leastOvershoot = 0.01;
 // What is left of the mask after the last step of undoing it, share of its amount.
 constexpr double leftOfMask = 0.05;
-
-constexpr double noInnerEdge = 1e3; // pixels: a disc has none
-
-std::vector<RingSample> samplesOf(const vpImage<unsigned char> &I, const CameraModel &camera, const MarkerPlane &plane,
-                                  const vpCircleMarkerLayout &layout)
-{
-  const bool isDisc = layout.ringInner == 0.;
-  const double innermost = isDisc ? insideOfDisc
-                           : layout.codeOuter > 0.
-                               ? layout.ringInner - shareOfWhite * (layout.ringInner - layout.codeOuter)
-                               : layout.ringInner - insideOfPlainRing;
-  const double outermost = 1. + shareOfWhite * layout.quietZone;
-  std::vector<RingSample> samples;
-  samples.reserve(static_cast<std::size_t>(normals) * (2 * pixelsOfNormal + 1));
-  for (int i = 0; i < normals; ++i) {
-    const double angle = 2. * M_PI * i / normals;
-    const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-    const Eigen::Vector2d rim = camera.toPixel(plane.project(direction));
-    const PlanePoint atRim = planePoint({camera.toMeter(rim), camera.meterPerPixel(rim)}, plane);
-    const Eigen::Vector2d across = (atRim.byPixel.transpose() * direction).normalized();
-    for (int k = -pixelsOfNormal; k <= pixelsOfNormal; ++k) {
-      const Eigen::Vector2d place = (rim + k * across).array().round();
-      const bool isInside = place.x() >= 0. && place.y() >= 0. && place.x() < I.getWidth() && place.y() < I.getHeight();
-      if (!isInside) {
-        continue;
-      }
-      const int grey = I[static_cast<unsigned int>(place.y())][static_cast<unsigned int>(place.x())];
-      const PlanePoint point = planePoint({camera.toMeter(place), camera.meterPerPixel(place)}, plane);
-      const double radius = point.q.norm();
-      if (radius < innermost || radius > outermost) {
-        continue;
-      }
-      const double gradient = (point.byPixel.transpose() * point.q).norm() / radius;
-      samples.push_back({static_cast<double>(grey), point.q, (radius - 1.) / gradient,
-                         isDisc ? noInnerEdge : (radius - layout.ringInner) / gradient});
-    }
-  }
-  return samples;
-}
-
 } // namespace
-
-std::optional<UnsharpMask> unsharpMaskOf(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                         const Few<MarkerPlane> &poses, const vpCircleMarkerLayout &layout)
-{
-  std::optional<MaskFit> best;
-  for (const MarkerPlane &plane : poses) {
-    MaskFit fit(samplesOf(I, camera, plane, layout));
-    if (fit.run() && (!best || fit.variance() < best->variance())) {
-      best = fit;
-    }
-  }
-  if (!best) {
-    return std::nullopt;
-  }
-  const UnsharpMask mask = best->mask();
-  const bool isMask = mask.amount > leastAmount && mask.amount < mostAmount && mask.sigma > leastSigma &&
-                      mask.sigma < mostSigma && mask.halo > leastOvershoot && mask.amount > best->errorOfAmount();
-  return isMask ? std::optional<UnsharpMask>(mask) : std::nullopt;
-}
 
 bool undo(const UnsharpMask &mask, const vpImage<unsigned char> &I, const cv::Rect &box, const Deadline &deadline,
           vpImage<unsigned char> &restored)

@@ -17,23 +17,18 @@
 
 /*!
   \file unsharp_mask.h
-  \brief A camera that sharpens its images: its mask is told from a marker's ring, and undone around the marker.
+  \brief A camera that sharpens its images: its mask is undone around a marker.
 */
 
 #ifndef VP_CIRCLE_MARKER_UNSHARP_MASK_H
 #define VP_CIRCLE_MARKER_UNSHARP_MASK_H
 
-#include <optional>
-
 #include <opencv2/core.hpp>
 
-#include <visp3/circle_marker/vpCircleMarkerFamily.h>
+#include <visp3/circle_marker/vpConfigCircleMarker.h>
 #include <visp3/core/vpImage.h>
 
-#include "pose/marker_plane.h"
-#include "support/camera_model.h"
 #include "support/deadline.h"
-#include "support/few.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -44,21 +39,7 @@ struct UnsharpMask
   double sigma = 0.;   //!< Standard deviation of the Gaussian, pixels.
   double white = 255.; //!< Grey level of paper beside the marker,
   double ink = 0.;     //!< and of its ink.
-  double halo = 0.;    //!< By how much the image of an edge goes beyond black and white, share of the contrast.
-  double error = 0.;   //!< Standard deviation of the halo, or more.
 };
-
-/*!
-  The mask that an image was sharpened with, as the ring's two edges show it.
-  \param I : The image.
-  \param camera : Its camera.
-  \param poses : The marker's pose, or those that it may have, of which the best is taken: at the mirrored one the inner
-  edge of a large ring lies beside where it should be.
-  \param layout : Radii of its parts.
-  \return Nothing if there is no mask, or not certainly.
-*/
-std::optional<UnsharpMask> unsharpMaskOf(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                         const Few<MarkerPlane> &poses, const vpCircleMarkerLayout &layout);
 
 /*!
   Makes what was sharpened as it was: 1 + a (1 - G) takes no frequency away, so that its inverse is a mild blur, and
