@@ -18,6 +18,7 @@
 #include "hard_pictures.h"
 
 #include "common/processed_picture.h"
+#include "common/sharpened_picture.h"
 #include "common/undistorted_picture.h"
 
 namespace bench {
@@ -33,6 +34,12 @@ common::Processing processingOf(const Hardship &hardship)
 bool isUndistorted(const Hardship &hardship)
 {
   return hardship.name == "undistorted, noise";
+}
+
+// Width of the camera's unsharp mask, pixels; 0 if it does not sharpen.
+double maskOf(const Hardship &hardship)
+{
+  return hardship.name == "sharpened by 1 pixel" ? 1. : hardship.name == "sharpened by 2 pixels" ? 2. : 0.;
 }
 
 // The picture without the lens's distortion, with what is true of it.
@@ -66,6 +73,9 @@ void processPicture(const Hardship &hardship, Scene &scene)
 {
   if (isUndistorted(hardship)) {
     return undistort(scene);
+  }
+  if (const double sigma = maskOf(hardship); sigma > 0.) {
+    return common::sharpen(hardship.level, sigma, scene.image);
   }
   const common::Processing processing = processingOf(hardship);
   common::process(processing, scene.image);

@@ -37,6 +37,9 @@ constexpr double lacking = 0.001;
 // What is like no marker in the image as it is leaves no more than this factor of the noise in what that was before:
 // undoing a mask takes from what covers a part of a code, too.
 constexpr double mostLeftOfUnlike = 1.6;
+// A halo moves edges by less than this, pixels. (Those of a disc in a photograph were moved by 1.1 pixels behind a mask
+// that was none; behind the strongest masks of the decision page's table it is 0.1.)
+constexpr double mostShift = 0.4;
 // And it has no larger radius than this, pixels: halos are some pixels wide, and large markers are like one with them.
 constexpr double largestUnlike = 60.;
 // By so much, ln, a mask has to make the image likelier. (Two parameters gain 1 by chance.)
@@ -53,6 +56,13 @@ bool leavesMuch(const FittedPose &fit, std::size_t pixels, double noise)
 ImageNoise noiseBehind(const UnsharpMask &mask, const ImageNoise &noise)
 {
   return {noise.sigma / (1. + mask.amount), noise.sharing, noise.isResampled};
+}
+
+// By how much the outer edge lies farther out or in by one measurement than by the other, pixels.
+double shiftBetween(const Measurement &one, const Measurement &other, const CameraModel &camera)
+{
+  const double scale = frameOf(one.first.plane, camera).size / frameOf(other.first.plane, camera).size;
+  return std::abs(scale - 1.) * frameOf(one.first.plane, camera).size;
 }
 
 cv::Rect boxOf(const PixelBox &box)
@@ -110,8 +120,10 @@ bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const EllipseC
     }
     const auto measurement = measureInOneLook(workspace.restored, visit.camera, there, workspace.measuring,
                                               visit.deadline, noiseBehind(mask, visit.noise));
-    return measurement ? std::make_optional(MeasuredBehind{*measurement, workspace.measuring.pixels.size()})
-                       : std::nullopt;
+    if (!measurement || (fit.measurement && shiftBetween(*fit.measurement, *measurement, visit.camera) > mostShift)) {
+      return std::nullopt;
+    }
+    return MeasuredBehind{*measurement, workspace.measuring.pixels.size()};
   };
   FittedPose from;
   from.plane = there.poses[0];

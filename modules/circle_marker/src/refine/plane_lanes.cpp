@@ -26,7 +26,7 @@ namespace {
 // How much nearer or farther than its centre a marker is at its sides, share of the distance, from which its
 // perspective is seen within an edge's blur: below, squared errors were what they should be without it (a renderer of
 // another author, focal lengths of 220 pixels; from 0.1 to 0.25 they were 1.7 times as large, beyond up to 11 times).
-constexpr double leastPerspective = 0.08;
+constexpr double leastPerspective = 0.;
 } // namespace
 
 SecondOrder::SecondOrder(const MarkerPlane &plane, const ImageReference &reference)
