@@ -73,17 +73,13 @@ inline void curvatureOf(const PlaneLanes &p, const SecondOrder &second, Curvatur
   const Lanes tangent = (hv * p.gradientU - hu * p.gradientV) * curvature.perGradient;
   curvature.tangentU = hu;
   curvature.tangentV = hv;
-  curvature.alongNormal = normal * normal * perRadius * curvature.perGradient;
-  curvature.alongTangent = tangent * tangent * perRadius * curvature.perGradient;
-  curvature.fading = p.gradient * perRadius + 3.f * curvature.alongNormal;
-  if (second.isSeen()) {
-    // Where the scale changes the gradient and what is bent along the edge change alike, so that the curvature does
-    // not.
-    const Lanes acrossU = p.gradientU * curvature.perGradient;
-    const Lanes acrossV = p.gradientV * curvature.perGradient;
-    curvature.alongNormal += second.across(p, acrossU, acrossV);
-    curvature.alongTangent += second.along(acrossU, acrossV);
-  }
+  const Lanes ofCircle = normal * normal * perRadius * curvature.perGradient;
+  curvature.fading = p.gradient * perRadius + 3.f * ofCircle;
+  // Where the scale changes the gradient and what is bent along the edge change alike, so that the curvature does not.
+  const Lanes acrossU = p.gradientU * curvature.perGradient;
+  const Lanes acrossV = p.gradientV * curvature.perGradient;
+  curvature.alongNormal = ofCircle + second.across(p, acrossU, acrossV);
+  curvature.alongTangent = tangent * tangent * perRadius * curvature.perGradient + second.along(acrossU, acrossV);
   stretchOf(p.gradientU, p.gradientV, curvature.perGradient, curvature.stretched);
 }
 

@@ -42,7 +42,7 @@ Lanes &valueOf(DarknessLanes &darkness)
 
 ImageModel::ImageModel(const MarkerPlane &plane, const MarkerPattern &pattern, const BlurParameters &blur,
                        const PixelBlocks &blocks, bool seesBend)
-    : m_blocks(blocks), m_homography(plane, blocks.reference, blur.shape()), m_second(plane, blocks.reference),
+    : m_blocks(blocks), m_homography(plane, blocks.reference, blur.shape()), m_second(blocks.reference),
       m_seesBend(seesBend)
 {
   const Eigen::Vector3d c = -plane.rotation.transpose() * plane.center / plane.radius;
@@ -76,12 +76,10 @@ void ImageModel::seeBorder(const PlaneLanes &p, const CurvatureLanes &curvature,
   const Lanes gu = p.qxByU * acrossX + p.qyByU * acrossY;
   const Lanes gv = p.qxByV * acrossX + p.qyByV * acrossY;
   const Lanes perGradient = (gu * gu + gv * gv).rsqrt();
-  Lanes first = (acrossX * p.qx + acrossY * p.qy) * perGradient;
-  if (m_second.isSeen()) { // to second order: the border is straight, but the scale changes across it
-    const Lanes bow = first * m_second.across(p, gu * perGradient, gv * perGradient);
-    first *= (1.f + 0.5f * bow).max(leastStretch).min(mostStretch);
-  }
-  const Lanes distance = perSigma * first;
+  // To second order: the border is straight, but the scale changes across it.
+  const Lanes first = (acrossX * p.qx + acrossY * p.qy) * perGradient;
+  const Lanes bow = first * m_second.across(p, gu * perGradient, gv * perGradient);
+  const Lanes distance = perSigma * first * (1.f + 0.5f * bow).max(leastStretch).min(mostStretch);
   const Lanes isEdge = change * change;
   if ((distance.abs() + farFromEdge * (1.f - isEdge)).minCoeff() >= farFromEdge) {
     code += change * (1e30f * distance).max(0.f).min(1.f);

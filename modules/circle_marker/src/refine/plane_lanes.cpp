@@ -17,27 +17,9 @@
 
 #include "refine/plane_lanes.h"
 
-#include <cmath>
-
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
-namespace {
-// How much nearer or farther than its centre a marker is at its sides, share of the distance, from which its
-// perspective is seen within an edge's blur: below, squared errors were what they should be without it (a renderer of
-// another author, focal lengths of 220 pixels; from 0.1 to 0.25 they were 1.7 times as large, beyond up to 11 times).
-constexpr double leastPerspective = 0.;
-} // namespace
-
-SecondOrder::SecondOrder(const MarkerPlane &plane, const ImageReference &reference)
-    : m_lens(reference.lens.cast<float>())
-{
-  // By the ray to its centre, so that it is the same for all of a marker's pixels.
-  const Eigen::Vector3d normal = plane.rotation.col(2);
-  const double nearer = plane.radius * normal.head<2>().norm() / std::abs(normal.dot(plane.center));
-  m_isSeen = nearer > leastPerspective;
-}
-
 PlaneHomography::PlaneHomography(const MarkerPlane &plane, const ImageReference &reference,
                                  const Eigen::Matrix2d &blurShape)
     : m_suu(static_cast<float>(blurShape(0, 0))), m_suv(static_cast<float>(blurShape(0, 1))),

@@ -69,10 +69,7 @@ struct PlaneLanes
 class SecondOrder
 {
 public:
-  SecondOrder(const MarkerPlane &plane, const ImageReference &reference);
-
-  /*! Whether it is more than a fit's noise: not of a marker that is hardly nearer at one side. */
-  bool isSeen() const { return m_isSeen; }
+  explicit SecondOrder(const ImageReference &reference) : m_lens(reference.lens.cast<float>()) {}
 
   /*! Along the way across: how much the scale changes from pixel to pixel, share of it. */
   Lanes across(const PlaneLanes &point, const Lanes &u, const Lanes &v) const
@@ -91,7 +88,6 @@ private:
   }
 
   Eigen::Matrix<float, 2, 3, Eigen::DontAlign> m_lens;
-  bool m_isSeen;
 };
 
 /*! A direction of the image as the plane sees it: from q, s steps lead to (q + s (x, y)) / (1 + s w). */
