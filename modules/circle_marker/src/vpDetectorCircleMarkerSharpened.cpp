@@ -29,8 +29,8 @@ BEGIN_VISP_NAMESPACE
 using namespace circle_marker;
 
 namespace {
-// What leaves more than this factor of the noise may have been sharpened: fits of images that were not leave 1.0 to
-// 1.08 times as much, and without noise this share of the contrast at most.
+// What leaves more than this factor of the noise, and this share of the contrast, may have been sharpened. Of images
+// that were not, with noise of 0 to 8 grey levels, it is a few markers of a hundred; larger limits miss small rings.
 constexpr double muchLeft = 1.03;
 constexpr double byChance = 1.2; // by the square root of the number of pixels: two standard deviations
 constexpr double lacking = 0.001;
@@ -38,9 +38,10 @@ constexpr double lacking = 0.001;
 // undoing a mask takes from what covers a part of a code, too.
 constexpr double mostLeftOfUnlike = 1.6;
 // A halo moves edges by less than this, pixels. (Those of a disc in a photograph were moved by 1.1 pixels behind a mask
-// that was none; behind the strongest masks of the decision page's table it is 0.1.)
+// that was none, testPhotographs; behind masks of two times the detail of 2 pixels it is some 0.1.)
 constexpr double mostShift = 0.4;
-// And it has no larger radius than this, pixels: halos are some pixels wide, and large markers are like one with them.
+// It has a code, as much that is round is like a ring behind some mask (clutter had twice as many rings); and it has no
+// larger radius than this, pixels: halos are some pixels wide, and large markers are like one with them.
 constexpr double largestUnlike = 60.;
 // By so much, ln, a mask has to make the image likelier. (Two parameters gain 1 by chance.)
 constexpr double leastGain = 10.;
@@ -72,8 +73,8 @@ cv::Rect boxOf(const PixelBox &box)
 } // namespace
 
 /*!
-  The same, whatever the ratio of a ring. What is none though its code was read, or looks like it, may be in an image
-  that the camera has sharpened: then it is measured in what the image was before.
+  The same, whatever the ratio of a ring. What is none though its code was read, or leaves more than noise, may be in
+  an image that the camera has sharpened: then it is measured in what the image was before.
 */
 bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const EllipseCandidate &outline,
                                                     const Recognition &marker, Workspace &workspace, Found &measured,
@@ -87,7 +88,7 @@ bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const El
     return fit.halo < leastHalo && !leavesMuch(fit.measurement->first, fit.pixels, visit.noise.sigma);
   };
   const auto mayBeRestored = [&] {
-    return marker.isCertain && frameOf(marker.poses[0], visit.camera).size < largestUnlike;
+    return marker.isCertain && marker.family.isCoded() && frameOf(marker.poses[0], visit.camera).size < largestUnlike;
   };
   if (isMeasured ? isExplained() : !mayBeRestored()) {
     return isMeasured;

@@ -48,11 +48,10 @@ constexpr int mostRounds = 6;
 constexpr double negligible = 0.1;
 // Or when it is nearer to another trial than this share of a step of the width, and of what that is for the strength.
 constexpr double leastStep = 0.1;
-// What leaves no more than this factor of the noise is explained; else other starts are tried, up to so many trials.
+// What leaves no more than this factor of the noise is explained; else other starts are tried.
 constexpr double mostLeft = 1.12;
-constexpr std::size_t mostTrials = 30;
 // Up to so many where the marker is like none in the image as it is: it may be none.
-constexpr std::size_t mostTrialsOfUnlike = 15;
+constexpr std::size_t mostTrialsOfUnlike = 20;
 // A mask leaves less than this share of the variance that none leaves, or there is none: any leaves some hundredths
 // less of what has other reasons. And where one leaves this many times as much, a weaker one of its width is none
 // either.
@@ -165,7 +164,8 @@ bool MaskSearch::isBetterThanNone() const
 
 bool MaskSearch::isOver() const
 {
-  return m_trials.size() >= (std::isfinite(m_trials[0].left) ? mostTrials : mostTrialsOfUnlike);
+  const bool mayBeNone = !m_trials.empty() && !std::isfinite(m_trials[0].left);
+  return m_trials.size() >= (mayBeNone ? mostTrialsOfUnlike : mostTrials);
 }
 
 UnsharpMask MaskSearch::maskAt(const Eigen::Vector2d &place) const
@@ -187,9 +187,12 @@ double MaskSearch::leftAt(double strength, double lnSigma)
   return known != m_trials.end() ? known->left : tryAt(place);
 }
 
-// The same of one that was not.
+// The same of one that was not; HUGE_VAL if there were trials enough.
 double MaskSearch::tryAt(const Eigen::Vector2d &place)
 {
+  if (isOver()) {
+    return HUGE_VAL;
+  }
   Trial trial;
   trial.place = place;
   const UnsharpMask mask = maskAt(trial.place);

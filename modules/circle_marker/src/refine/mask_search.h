@@ -78,6 +78,8 @@ public:
   std::optional<SearchedMask> run();
 
 private:
+  static constexpr std::size_t mostTrials = 30;
+
   /*! A mask that was tried. */
   struct Trial
   {
@@ -113,7 +115,7 @@ private:
   bool m_isMeasured;
   double m_noise;
   MeasureBehind m_measureBehind;
-  Few<Trial, 40> m_trials;
+  Few<Trial, mostTrials> m_trials;
   std::size_t m_best = 0; // of the trials
   double m_white;         // grey level of paper beside the marker,
   double m_ink;           // and of its ink
