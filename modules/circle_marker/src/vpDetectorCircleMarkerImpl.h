@@ -137,8 +137,7 @@ private:
     const circle_marker::Deadline &deadline;
     const circle_marker::ImageNoise &noise; //!< Of the image: known after the first room.
     bool isSizeGiven = false;               //!< Whether all markers have that size, whatever the database says.
-    //! Covariance of the pose by what is not known of the mask that was undone; nullptr: none was.
-    const Eigen::Matrix<double, 6, 6> *maskDoubt = nullptr;
+    const circle_marker::SearchedMask *mask = nullptr; //!< That was undone; nullptr: none was.
     bool isCameraGuessed = false; //!< Whether edges of circles may lie a little beside where it would show them.
     bool readsWholeOnly = false;  //!< Whether nothing is read as covered, blurred or in doubt.
   };

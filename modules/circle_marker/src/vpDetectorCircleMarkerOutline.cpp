@@ -29,6 +29,7 @@
 #include "refine/coarse_fits.h"
 #include "refine/measure.h"
 #include "refine/report.h"
+#include "support/sensor_range.h"
 #include "debug_record.h"
 #include "measure_proven.h"
 #include "outer_edge.h"
@@ -107,7 +108,10 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
     return isPartMissing(outline.support) ? leftOut() : measurement;
   }
   const auto poses = posesFromOutline(outline.points, visit.camera, measurement.first.plane.radius, workspace.meters);
-  const auto ring = poses ? recogniseCoveredRing(visit.I, visit.camera, *poses, outline, marker.family) : std::nullopt;
+  auto ring = poses ? recogniseCoveredRing(visit.I, visit.camera, *poses, outline, marker.family) : std::nullopt;
+  if (ring) {
+    ring->asSeen = marker.asSeen;
+  }
   auto covered = ring ? recogniseByMeasuredRing(visit.I, visit.camera, *ring, marker.family, settings.decode, memory,
                                                 visit.deadline, visit.noise)
                       : std::nullopt;
@@ -116,6 +120,7 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
       return measurement; // by all pixels: without noise, those left out are off by little
     }
     scaleTo(sizeOf(*covered, visit), covered->poses);
+    covered->asSeen = marker.asSeen;
     if (auto again = measure(visit.I, visit.camera, *covered, true, memory, visit.deadline, visit.noise)) {
       marker = std::move(*covered);
       return again;
@@ -182,11 +187,11 @@ void vpDetectorCircleMarker::Impl::addDoubts(const Visit &visit, const EllipseCa
     if (!marker.blurred) { // in a wide blur there is no halo to be seen
       fit.halo = halo.value_or(0.);
       addHaloDoubt(fit.halo < leastHalo ? 0. : fit.halo, visit.camera, measurement);
-      if (visit.maskDoubt != nullptr) {
-        forEachPose(measurement, [&](FittedPose &pose) { pose.covariance += *visit.maskDoubt; });
-      }
     }
     addLightDoubt(visit.camera, measurement);
+    if (visit.mask != nullptr) {
+      forEachPose(measurement, [&](FittedPose &pose) { pose.covariance += visit.mask->doubtOf(pose.plane); });
+    }
   }
   else if (!marker.blurred) {
     forEachPose(measurement, [&](FittedPose &pose) {
@@ -208,7 +213,7 @@ bool vpDetectorCircleMarker::Impl::measureIn(const Visit &visit, const EllipseCa
   }
   fit.measurement = measurement;
   fit.pixels = workspace.measuring.pixels.size();
-  fit.left = unexplainedBy(measurement->first) / visit.noise.sigma;
+  fit.left = unexplainedBy(measurement->first) / std::max(visit.noise.sigma, quantisation);
   addDoubts(visit, outline, marker, workspace, *measurement, fit);
   // Of a blurred outline pieces are missed, but a marker that is read through a blur shows all of its image.
   const double visible = marker.blurred        ? 1.

@@ -18,8 +18,8 @@
 #include "vpDetectorCircleMarkerImpl.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"
 #include "support/sensor_range.h"
 #include "outer_edge.h"
@@ -32,14 +32,18 @@ namespace {
 // What leaves more than this factor of the noise, and this share of the contrast, may have been sharpened. Of images
 // that were not, with noise of 0 to 8 grey levels, it is a few markers of a hundred; larger limits miss small rings.
 constexpr double muchLeft = 1.03;
-constexpr double byChance = 1.2; // by the square root of the number of pixels: two standard deviations
+constexpr double byChance = 1.2; // by the square root of the number of pixels: 1.7 standard deviations
 constexpr double lacking = 0.001;
+// Beside a larger marker, radius in pixels, a halo is seen if there is one; to search for its mask takes long.
+constexpr double largestWithoutHalo = 100.;
 // What is like no marker in the image as it is leaves no more than this factor of the noise in what that was before:
 // undoing a mask takes from what covers a part of a code, too.
 constexpr double mostLeftOfUnlike = 1.6;
 // A halo moves edges by less than this, pixels. (Those of a disc in a photograph were moved by 1.1 pixels behind a mask
 // that was none, testPhotographs; behind masks of two times the detail of 2 pixels it is some 0.1.)
 constexpr double mostShift = 0.4;
+// Nor does what is left become more than this many times as much, in units of the noise.
+constexpr double mostWorse = 1.2;
 // It has a code, as much that is round is like a ring behind some mask (clutter had twice as many rings); and it has no
 // larger radius than this, pixels: halos are some pixels wide, and large markers are like one with them.
 constexpr double largestUnlike = 60.;
@@ -47,7 +51,7 @@ constexpr double largestUnlike = 60.;
 constexpr double leastGain = 10.;
 
 // Whether a fit to so many pixels leaves more of the image than noise and what the model lacks.
-bool leavesMuch(const FittedPose &fit, std::size_t pixels, double noise)
+bool isTooMuchLeft(const FittedPose &fit, std::size_t pixels, double noise)
 {
   const double most = muchLeft + byChance * std::sqrt(fit.sharing / static_cast<double>(pixels));
   return fit.noise > std::hypot(most * std::max(noise, quantisation), lacking * fit.photometry.tellableContrast());
@@ -56,7 +60,7 @@ bool leavesMuch(const FittedPose &fit, std::size_t pixels, double noise)
 // Noise behind a mask: of the highest frequencies, by which a marker is measured.
 ImageNoise noiseBehind(const UnsharpMask &mask, const ImageNoise &noise)
 {
-  return {noise.sigma / (1. + mask.amount), noise.sharing, noise.isResampled};
+  return {std::max(noise.sigma / (1. + mask.amount), quantisation), noise.sharing, noise.isResampled};
 }
 
 // By how much the outer edge lies farther out or in by one measurement than by the other, pixels.
@@ -84,13 +88,15 @@ bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const El
   if (!settings.refinePose || marker.seen || marker.blurred || visit.deadline.hasPassed()) {
     return isMeasured;
   }
-  const auto isExplained = [&] {
-    return fit.halo < leastHalo && !leavesMuch(fit.measurement->first, fit.pixels, visit.noise.sigma);
+  const auto mayBeSharpened = [&] {
+    const FittedPose &first = fit.measurement->first;
+    return fit.halo >= leastHalo || (frameOf(first.plane, visit.camera).size < largestWithoutHalo &&
+                                     isTooMuchLeft(first, fit.pixels, visit.noise.sigma));
   };
   const auto mayBeRestored = [&] {
     return marker.isCertain && marker.family.isCoded() && frameOf(marker.poses[0], visit.camera).size < largestUnlike;
   };
-  if (isMeasured ? isExplained() : !mayBeRestored()) {
+  if (isMeasured ? !mayBeSharpened() : !mayBeRestored()) {
     return isMeasured;
   }
   if (!isMeasured) {
@@ -151,11 +157,17 @@ bool vpDetectorCircleMarker::Impl::measureBehind(const Visit &visit, const Searc
     return false;
   }
   const ImageNoise noise = noiseBehind(found.mask, visit.noise);
-  const Visit before = {workspace.restored, visit.size,   visit.camera,          visit.deadline, noise,
-                        visit.isSizeGiven,  &found.doubt, visit.isCameraGuessed, false};
+  const Visit before = {workspace.restored, visit.size, visit.camera,          visit.deadline, noise,
+                        visit.isSizeGiven,  &found,     visit.isCameraGuessed, false};
   Fit restoredFit;
   Found restored;
   if (!measureIn(before, outline, marker, workspace, restored, restoredFit)) {
+    return false;
+  }
+  // With light and code looked at again it may be another marker, or a worse one.
+  if (fit.measurement && (restored.marker.code.id != measured.marker.code.id ||
+                          shiftBetween(*fit.measurement, *restoredFit.measurement, visit.camera) > mostShift ||
+                          restoredFit.left > mostWorse * fit.left)) {
     return false;
   }
   restored.noise = visit.noise;

@@ -26,6 +26,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "refine/coarse_fits.h"
+#include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -90,14 +91,6 @@ double lnGainOf(const UnsharpMask &mask)
   return sum / (steps * steps);
 }
 
-// Of a measurement the pose that is nearer to another one.
-const FittedPose &nearer(const Measurement &measurement, const MarkerPlane &plane)
-{
-  const auto alike = [&plane](const FittedPose &fit) { return fit.plane.rotation.col(2).dot(plane.rotation.col(2)); };
-  const auto &second = measurement.second;
-  return second && alike(*second) > alike(measurement.first) ? *second : measurement.first;
-}
-
 // From one pose to another: of the centre, metres, and of the normal, as a rotation, rad. No mask turns a marker about
 // its normal.
 Eigen::Matrix<double, 6, 1> change(const MarkerPlane &from, const MarkerPlane &to)
@@ -106,7 +99,31 @@ Eigen::Matrix<double, 6, 1> change(const MarkerPlane &from, const MarkerPlane &t
   pose << to.center * (from.radius / to.radius) - from.center, from.rotation.col(2).cross(to.rotation.col(2));
   return pose;
 }
+
+// Turns the normal of a pose to that of the other one with nearly the same image, which leans to the other side of the
+// line of sight.
+Eigen::Matrix3d toOther(const MarkerPlane &plane)
+{
+  const Eigen::Vector3d sight = plane.center.normalized();
+  return 2. * sight * sight.transpose() - Eigen::Matrix3d::Identity();
+}
+
+// Whether a pose leans as another one does, not to the other side.
+bool isAlike(const MarkerPlane &plane, const MarkerPlane &other)
+{
+  const Eigen::Vector3d normal = other.rotation.col(2);
+  return plane.rotation.col(2).dot(normal) >= plane.rotation.col(2).dot(toOther(other) * normal);
+}
 } // namespace
+
+Eigen::Matrix<double, 6, 6> SearchedMask::doubtOf(const MarkerPlane &plane) const
+{
+  const Eigen::Matrix3d turned = isAlike(plane, pose) ? Eigen::Matrix3d::Identity() : toOther(pose);
+  Eigen::Matrix<double, 6, 6> there = Eigen::Matrix<double, 6, 6>::Zero();
+  there.topLeftCorner<3, 3>() = plane.radius / pose.radius * Eigen::Matrix3d::Identity();
+  there.bottomRightCorner<3, 3>() = turned;
+  return there * doubt * there.transpose();
+}
 
 MaskSearch::MaskSearch(const FittedPose &start, bool isMeasured, double noise, MeasureBehind measureBehind)
     : m_start(start.plane), m_isMeasured(isMeasured), m_noise(noise), m_measureBehind(std::move(measureBehind)),
@@ -154,7 +171,7 @@ void MaskSearch::searchFrom(const UnsharpMask &start)
 bool MaskSearch::isExplained() const
 {
   const Trial &best = m_trials[m_best];
-  return best.noise < mostLeft * m_noise / (1. + maskAt(best.place).amount);
+  return best.noise < mostLeft * std::max(m_noise / (1. + maskAt(best.place).amount), quantisation);
 }
 
 bool MaskSearch::isBetterThanNone() const
@@ -205,7 +222,13 @@ double MaskSearch::tryAt(const Eigen::Vector2d &place)
   trial.pixels = static_cast<double>(behind->pixels) / fit.sharing;
   trial.noise = fit.noise;
   trial.left = std::pow(unexplainedBy(fit) * std::exp(lnGainOf(mask)), 2.);
-  trial.pose = change(m_start, nearer(behind->measurement, m_start).plane);
+  const auto &second = behind->measurement.second;
+  if (isAlike(fit.plane, m_start)) {
+    trial.pose = change(m_start, fit.plane);
+  }
+  else if (second && isAlike(second->plane, m_start)) {
+    trial.pose = change(m_start, second->plane);
+  }
   m_trials.push_back(trial);
   if (trial.left < m_trials[m_best].left) {
     m_best = m_trials.size() - 1;
@@ -272,7 +295,7 @@ void MaskSearch::searchWidth()
 
 void MaskSearch::searchBoth()
 {
-  for (int round = 0; round < mostRounds; ++round) {
+  for (int round = 0; round < mostRounds && !isOver(); ++round) {
     const auto there = surface();
     if (!there) {
       return;
@@ -285,55 +308,84 @@ void MaskSearch::searchBoth()
     Eigen::Vector2d step = -axes.eigenvectors() * along.cwiseQuotient(values);
     const double promised = -(there->slope.dot(step) + 0.5 * step.dot(there->curvature * step));
     step = step.cwiseMax(-1.).cwiseMin(1.);
-    if (0.5 * best.pixels * promised / best.left < negligible || isOver()) {
-      return;
-    }
-    const Eigen::Vector2d place = best.place + step.cwiseProduct(there->unit);
+    Eigen::Vector2d place = best.place + step.cwiseProduct(units());
+    place[1] = std::clamp(place[1], std::log(leastSigma), std::log(mostSigma));
+    place[0] = std::min(place[0], mostStrengthOf(place[1]));
     const auto isNear = [&](const Trial &trial) {
-      return (place - trial.place).cwiseQuotient(there->unit).norm() < leastStep;
+      return (place - trial.place).cwiseQuotient(units()).norm() < leastStep;
     };
-    if (std::any_of(m_trials.begin(), m_trials.end(), isNear)) {
+    if (0.5 * best.pixels * promised / best.left < negligible ||
+        std::any_of(m_trials.begin(), m_trials.end(), isNear)) {
       return;
     }
-    const double lnSigma = std::clamp(place[1], std::log(leastSigma), std::log(mostSigma));
-    tryAt({std::min(std::max(place[0], 0.3 * best.place[0]), mostStrengthOf(lnSigma)), lnSigma});
+    tryAt(place);
   }
+}
+
+// Steps of the coordinates about the best trial.
+Eigen::Vector2d MaskSearch::units() const
+{
+  return {0.3 * m_trials[m_best].place[0], stepOfWidth};
+}
+
+// Where a trial is, from the best one, in units(). No mask is so at any width.
+Eigen::Vector2d MaskSearch::offBest(const Trial &trial) const
+{
+  Eigen::Vector2d off = (trial.place - m_trials[m_best].place).cwiseQuotient(units());
+  if (trial.place[0] == 0.) {
+    off[1] = 0.;
+  }
+  return off;
+}
+
+// Its weight in what is fitted: the less the farther it is from the best one.
+double MaskSearch::weightOf(const Trial &trial) const
+{
+  return std::pow(m_trials[m_best].left / trial.left, 2.) / (1. + offBest(trial).squaredNorm());
 }
 
 std::optional<MaskSearch::Surface> MaskSearch::surface() const
 {
-  const Trial &best = m_trials[m_best];
-  const auto known =
-      std::count_if(m_trials.begin(), m_trials.end(), [](const Trial &trial) { return std::isfinite(trial.left); });
-  if (known < 6) { // as the parabola has coefficients
-    return std::nullopt;
-  }
-  Surface result;
-  result.unit << 0.3 * best.place[0], stepOfWidth;
-  Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
-  Eigen::Matrix3d ofLine = Eigen::Matrix3d::Zero();
-  Eigen::Matrix<double, 3, 6> ofPose = Eigen::Matrix<double, 3, 6>::Zero();
+  constexpr int coefficients = 6;
+  Eigen::Matrix<double, coefficients, coefficients> matrix =
+      1e-9 * Eigen::Matrix<double, coefficients, coefficients>::Identity();
+  Eigen::Matrix<double, coefficients, 1> right = Eigen::Matrix<double, coefficients, 1>::Zero();
+  int known = 0;
   for (const Trial &trial : m_trials) {
     if (!std::isfinite(trial.left)) {
       continue;
     }
-    const Eigen::Vector2d d = (trial.place - best.place).cwiseQuotient(result.unit);
-    const double weight = std::pow(best.left / trial.left, 2.) / (1. + d.squaredNorm());
-    Eigen::Matrix<double, 6, 1> row;
+    const Eigen::Vector2d d = offBest(trial);
+    Eigen::Matrix<double, coefficients, 1> row;
     row << 1., d[0], d[1], 0.5 * d[0] * d[0], d[0] * d[1], 0.5 * d[1] * d[1];
-    matrix += weight * row * row.transpose();
-    right += weight * trial.left * row;
-    ofLine += weight * row.head<3>() * row.head<3>().transpose();
-    ofPose += weight * row.head<3>() * trial.pose.transpose();
+    matrix += weightOf(trial) * row * row.transpose();
+    right += weightOf(trial) * trial.left * row;
+    ++known;
   }
-  matrix.diagonal() += Eigen::Matrix<double, 6, 1>::Constant(1e-9);
-  ofLine.diagonal() += Eigen::Vector3d::Constant(1e-9);
-  const Eigen::Matrix<double, 6, 1> c = matrix.ldlt().solve(right);
+  if (known < coefficients) {
+    return std::nullopt;
+  }
+  const Eigen::Matrix<double, coefficients, 1> c = matrix.ldlt().solve(right);
+  Surface result;
   result.slope = c.segment<2>(1);
   result.curvature << c[3], c[4], c[4], c[5];
-  result.poseSlope = ofLine.ldlt().solve(ofPose).bottomRows<2>().transpose();
   return result;
+}
+
+// Change of the pose, (t, w), by the coordinates in units(): a plane through the poses of the trials.
+Eigen::Matrix<double, 6, 2> MaskSearch::poseSlope() const
+{
+  Eigen::Matrix3d matrix = 1e-9 * Eigen::Matrix3d::Identity();
+  Eigen::Matrix<double, 3, 6> right = Eigen::Matrix<double, 3, 6>::Zero();
+  for (const Trial &trial : m_trials) {
+    if (trial.pose) {
+      Eigen::Vector3d row;
+      row << 1., offBest(trial);
+      matrix += weightOf(trial) * row * row.transpose();
+      right += weightOf(trial) * row * trial.pose->transpose();
+    }
+  }
+  return matrix.ldlt().solve(right).bottomRows<2>().transpose();
 }
 
 SearchedMask MaskSearch::result() const
@@ -341,15 +393,18 @@ SearchedMask MaskSearch::result() const
   const Trial &best = m_trials[m_best];
   SearchedMask found;
   found.mask = maskAt(best.place);
+  found.pose = m_start;
+  // Information of what cameras do, and of the likelihood, which is nowhere less than none; nothing of that is known
+  // where too little was tried.
+  Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+  information(0, 0) = std::pow(units()[0] / (strengthOfCameras * best.place[0]), 2.);
+  information(1, 1) = std::pow(units()[1] / widthOfCameras, 2.);
   if (const auto there = surface()) {
-    // Information of the likelihood, which is nowhere less than none, and of what cameras do.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(0.5 * best.pixels / best.left * there->curvature);
-    Eigen::Matrix2d information =
-        axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.).asDiagonal() * axes.eigenvectors().transpose();
-    information(0, 0) += std::pow(there->unit[0] / (strengthOfCameras * best.place[0]), 2.);
-    information(1, 1) += std::pow(there->unit[1] / widthOfCameras, 2.);
-    found.doubt = there->poseSlope * information.inverse() * there->poseSlope.transpose();
+    information += axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.).asDiagonal() * axes.eigenvectors().transpose();
   }
+  const Eigen::Matrix<double, 6, 2> slope = poseSlope();
+  found.doubt = slope * information.inverse() * slope.transpose();
   return found;
 }
 } // namespace circle_marker

@@ -34,13 +34,19 @@
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
-/*! A mask, and what the pose depends on it. */
+/*! A mask, and how well a marker's pose is known behind it. */
 struct SearchedMask
 {
+  /*!
+    Covariance of a pose of the marker by what is not known of the mask: of (t, w) in the camera frame, as FittedPose's.
+    \param plane : The pose, in any unit of length: one of both that the marker may have.
+  */
+  Eigen::Matrix<double, 6, 6> doubtOf(const MarkerPlane &plane) const;
+
   UnsharpMask mask;
   double gain = 0.; //!< Of log-likelihood, against the image as it is.
-  //! Covariance of the pose by what is not known of the mask: of (t, w) in the camera frame, as FittedPose's.
-  Eigen::Matrix<double, 6, 6> doubt = Eigen::Matrix<double, 6, 6>::Zero();
+  MarkerPlane pose; //!< The marker's pose from which masks were searched,
+  Eigen::Matrix<double, 6, 6> doubt = Eigen::Matrix<double, 6, 6>::Zero(); //!< and its doubtOf().
 };
 
 /*! A marker behind a mask. */
@@ -83,19 +89,17 @@ private:
   /*! A mask that was tried. */
   struct Trial
   {
-    Eigen::Vector2d place;                                                  // strength, and ln of the width in pixels
-    double noise = HUGE_VAL;                                                // what its fit leaves, grey levels
-    double left = HUGE_VAL;                                                 // sigma^2 |M|^2, grey levels^2
-    double pixels = 0.;                                                     // that have noise of their own
-    Eigen::Matrix<double, 6, 1> pose = Eigen::Matrix<double, 6, 1>::Zero(); // against the start: (t, w)
+    Eigen::Vector2d place;                             // strength, and ln of the width in pixels
+    double noise = HUGE_VAL;                           // what its fit leaves, grey levels
+    double left = HUGE_VAL;                            // sigma^2 |M|^2, grey levels^2
+    double pixels = 0.;                                // that have noise of their own
+    std::optional<Eigen::Matrix<double, 6, 1>> pose{}; // against the start: (t, w); nothing if it is the other one
   };
-  /*! Parabola through what the trials left, and line through their poses; both about the best trial. */
+  /*! Parabola through what the trials left, about the best one, in units() of the coordinates. */
   struct Surface
   {
-    Eigen::Vector2d unit; // of the coordinates
     Eigen::Vector2d slope;
     Eigen::Matrix2d curvature;
-    Eigen::Matrix<double, 6, 2> poseSlope;
   };
 
   UnsharpMask maskAt(const Eigen::Vector2d &place) const;
@@ -108,7 +112,11 @@ private:
   bool searchStrength(double strength, double lnSigma);
   void searchWidth();
   void searchBoth();
+  Eigen::Vector2d units() const;
+  Eigen::Vector2d offBest(const Trial &trial) const;
+  double weightOf(const Trial &trial) const;
   std::optional<Surface> surface() const;
+  Eigen::Matrix<double, 6, 2> poseSlope() const;
   SearchedMask result() const;
 
   MarkerPlane m_start;

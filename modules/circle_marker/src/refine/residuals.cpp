@@ -42,6 +42,8 @@ constexpr double mostUneven = 0.3;
 // so many of these pixels.
 constexpr float clearSpread = 2.f;
 constexpr double leastClearPixels = 20.;
+// Fewer pixels than this between ink and paper are those of no photograph.
+constexpr float fewPixels = 20.f;
 // The values of which so many are smaller, and, of the last one, so much of the steepness. Bisections go over all
 // values in their order, which is faster than to order them.
 std::array<float, 3> quantilesOf(const std::vector<Lanes> &values, const std::vector<Lanes> &steepness,
@@ -74,18 +76,26 @@ ResidualSpread Likelihood::spreadOfResiduals()
   std::vector<Lanes> &sizes = m_memory.sizes;
   std::vector<Lanes> &steepness = m_memory.steepness;
   steepness.resize(m_memory.residuals.size(), Lanes::Ones()); // where it is not known all count alike
-  sizes.clear();
-  Lanes count = Lanes::Zero();
-  Lanes steep = Lanes::Zero();
-  std::size_t k = 0;
-  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
-    // What is as bright or as dark as can be tells nothing of the noise.
-    const Lanes counts = isPositive(static_cast<float>(quantisation * quantisation) - block.variance) *
-                         isPositive(brightest - block.grey) * isPositive(block.grey);
-    count += counts;
-    steep += counts * steepness[k];
-    sizes.push_back(m_memory.residuals[k++].abs() + 2.f * mostQuantile * (1.f - counts));
-  });
+  Lanes count, steep;
+  // darkest: of the grey levels that count.
+  const auto gather = [&](float darkest) {
+    sizes.clear();
+    count.setZero();
+    steep.setZero();
+    std::size_t k = 0;
+    forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
+      const Lanes counts = isPositive(static_cast<float>(quantisation * quantisation) - block.variance) *
+                           isPositive(brightest - block.grey) * isPositive(block.grey - darkest);
+      count += counts;
+      steep += counts * steepness[k];
+      sizes.push_back(m_memory.residuals[k++].abs() + 2.f * mostQuantile * (1.f - counts));
+    });
+  };
+  // What is as bright or as dark as can be tells nothing of the noise; where there is hardly anything else, ink does.
+  gather(0.f);
+  if (count.sum() < fewPixels) {
+    gather(-1.f);
+  }
   const float all = count.sum();
   if (all == 0.f) {
     return {HUGE_VAL, HUGE_VAL, HUGE_VAL};
