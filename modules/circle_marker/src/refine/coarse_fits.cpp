@@ -226,8 +226,8 @@ void dropCutOff(const MarkerInImage &view, std::vector<FitPixel> &pixels)
   }
   const auto isCutOff = [&](const FitPixel &pixel) {
     const Eigen::Vector2d place = view.frame.center + view.frame.size * pixel.offset.cast<double>();
-    const int grey = (*asSeen)[static_cast<unsigned int>(std::lround(place.y()))]
-                              [static_cast<unsigned int>(std::lround(place.x()))];
+    const int grey =
+        (*asSeen)[static_cast<unsigned int>(std::lround(place.y()))][static_cast<unsigned int>(std::lround(place.x()))];
     return mayBeTooBright(grey) || mayBeTooDark(grey);
   };
   pixels.erase(std::remove_if(pixels.begin(), pixels.end(), isCutOff), pixels.end());
