@@ -48,7 +48,6 @@ struct Searched
 {
   std::optional<SearchedMask> found;
   std::optional<Measurement> behind; //!< The marker measured behind it.
-  unsigned int trials = 0;
 };
 
 Searched searchedIn(const vpImage<unsigned char> &I, const MarkerScene &scene, double noise)
@@ -61,7 +60,6 @@ Searched searchedIn(const vpImage<unsigned char> &I, const MarkerScene &scene, d
   marker.asSeen = &I;
   vpImage<unsigned char> restored;
   const auto behind = [&](const UnsharpMask &mask) -> std::optional<MeasuredBehind> {
-    ++searched.trials;
     undo(mask, I, cv::Rect(0, 0, side, side), Deadline(), restored);
     const ImageNoise white = {noise / (1. + mask.amount), 1., false};
     const auto measurement = measureInOneLook(restored, camera, marker, memory, Deadline(), white);
