@@ -20,11 +20,13 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include <benchmark/benchmark.h>
 
 #include "common/processed_picture.h"
+#include "common/sharpened_picture.h"
 #include "peers.h"
 
 namespace bench {
@@ -124,6 +126,27 @@ void registerWholeFrames()
       Scene scene = makeScene(noisy);
       common::process(processing, scene.image);
       scene.camera = common::cameraOf(processing, scene.camera);
+      return scene;
+    });
+  }
+  // What leaves more than noise of each marker: a camera that sharpens, and a focal length that is not the camera's.
+  const SceneOptions twelve = framed(640, 480, 12, false);
+  for (const auto &[name, amount, sigma] : {std::tuple<const char *, double, double>("none", 0., 1.),
+                                            {"half-by-1-pixel", 0.5, 1.},
+                                            {"once-by-2-pixels", 1., 2.}}) {
+    add(circleMarker(), std::string("sharpened/") + name, [twelve, amount = amount, sigma = sigma]() {
+      Scene scene = makeScene(twelve);
+      common::sharpen(amount, sigma, scene.image);
+      return scene;
+    });
+  }
+  for (const auto &[name, factor] :
+       {std::pair<const char *, double>("right", 1.), {"less-by-tenth", 0.9}, {"more-by-fifth", 1.2}}) {
+    add(circleMarker(), std::string("focal-length/") + name, [twelve, factor = factor]() {
+      Scene scene = makeScene(twelve);
+      const vpCameraParameters camera = scene.camera;
+      scene.camera.initPersProjWithoutDistortion(factor * camera.get_px(), factor * camera.get_py(), camera.get_u0(),
+                                                 camera.get_v0());
       return scene;
     });
   }

@@ -18,8 +18,10 @@
 #include "vpDetectorCircleMarkerImpl.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"
 #include "support/sensor_range.h"
 #include "outer_edge.h"
@@ -47,6 +49,8 @@ constexpr double mostWorse = 1.2;
 // It has a code, as much that is round is like a ring behind some mask (clutter had twice as many rings); and it has no
 // larger radius than this, pixels: halos are some pixels wide, and large markers are like one with them.
 constexpr double largestUnlike = 60.;
+// Weak masks, amount and pixels: towards what sharpened an image one of them makes it likelier.
+constexpr std::array<UnsharpMask, 2> weakMasks = {{{0.2, 1.}, {0.15, 2.}}};
 // By so much, ln, a mask has to make the image likelier. (Two parameters gain 1 by chance.)
 constexpr double leastGain = 10.;
 
@@ -109,6 +113,28 @@ bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const El
 }
 
 /*!
+  Whether a measured marker is likelier in what the image was before a weak mask: by one fit each from where it was
+  measured, as a search for the mask takes long, and what is left of the image may have many another reason.
+*/
+bool vpDetectorCircleMarker::Impl::isLikelierSharpened(const Visit &visit, const FittedPose &fit,
+                                                       const Recognition &marker, const cv::Rect &around,
+                                                       Workspace &workspace) const
+{
+  const auto costOfPixel = [&](const vpImage<unsigned char> &I, const UnsharpMask &mask) {
+    const auto there = measureNearby(I, visit.camera, marker, fit, workspace.measuring, visit.deadline,
+                                     noiseBehind(mask, visit.noise));
+    return there ? std::log(unexplainedBy(*there)) + lnGainOf(mask) : HUGE_VAL;
+  };
+  const double none = costOfPixel(visit.I, UnsharpMask());
+  return std::any_of(weakMasks.begin(), weakMasks.end(), [&](UnsharpMask mask) {
+    mask.white = fit.photometry.white;
+    mask.ink = fit.photometry.white * (1. - fit.photometry.contrast());
+    return undo(mask, visit.I, around, visit.deadline, workspace.restored) &&
+           costOfPixel(workspace.restored, mask) < none;
+  });
+}
+
+/*!
   Looks for the mask behind which a marker is explained best, and measures it there. False, and nothing changes, if the
   image was not sharpened.
 */
@@ -121,6 +147,10 @@ bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const EllipseC
   there.poses[0] = fit.poses[0].flattened();
   there.poses[1] = fit.poses.size() > 1 ? fit.poses[1].flattened() : mirrored(there.poses[0]);
   const cv::Rect around = boxOf(surroundingsOf(outline, there.family, visit.I));
+  if (fit.measurement && fit.halo < leastHalo &&
+      !isLikelierSharpened(visit, fit.measurement->first, there, around, workspace)) {
+    return false;
+  }
   const auto behind = [&](const UnsharpMask &mask) -> std::optional<MeasuredBehind> {
     if (!undo(mask, visit.I, around, visit.deadline, workspace.restored)) {
       return std::nullopt;

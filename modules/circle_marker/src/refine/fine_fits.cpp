@@ -78,24 +78,30 @@ bool isTwinHopeless(const RankedFits &ranked, const MarkerPattern &pattern, Meas
   return isHopeless(twin, best, ranked.noise);
 }
 
-// The fits on all pixels around the coarse ones; of both poses unless one is given up.
-RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, bool isOneGivenUp, FitSettings settings,
-                        MarkerPattern &pattern, MeasureMemory &memory)
+// All pixels around poses, as many as there are of them.
+void chooseAllPixels(const MarkerInImage &view, const MarkerPlane *planes, std::size_t count,
+                     const BlurParameters &blur, const FitSettings &settings, MarkerPattern &pattern,
+                     MeasureMemory &memory)
 {
-  const Few<FittedPose> &fits = coarse.fits;
-  const std::array<MarkerPlane, 2> planes = {fits.front().plane, fits.back().plane};
-  const BlurParameters blur = boundedBlur(fits[0].photometry.blur);
   if (!settings.spinIsKnown) {
     PaperEnd &square = pattern.paper[static_cast<std::size_t>(PaperShape::SQUARE)];
     square.angle = squareAngleOf(view.I, view.camera, planes[0], square.extent, blur.sigma);
   }
   PixelChoice choice;
   choice.blur = blur;
-  memory.fitter->selectPixels(view.I, view.camera, view.frame, planes.data(), fits.size(), pattern, choice,
-                              memory.pixels);
+  memory.fitter->selectPixels(view.I, view.camera, view.frame, planes, count, pattern, choice, memory.pixels);
   dropCovered(view.marker, memory.pixels);
   dropCutOff(view, memory.pixels);
   evenOut(view, memory.pixels);
+}
+
+// The fits on all pixels around the coarse ones; of both poses unless one is given up.
+RankedFits fitAllPixels(const MarkerInImage &view, const RankedFits &coarse, bool isOneGivenUp, FitSettings settings,
+                        MarkerPattern &pattern, MeasureMemory &memory)
+{
+  const Few<FittedPose> &fits = coarse.fits;
+  const std::array<MarkerPlane, 2> planes = {fits.front().plane, fits.back().plane};
+  chooseAllPixels(view, planes.data(), fits.size(), boundedBlur(fits[0].photometry.blur), settings, pattern, memory);
   Few<FitStart> starts;
   for (const FittedPose &fit : fits) {
     starts.push_back({fit.plane, fit.photometry, coarse.noise});
@@ -150,6 +156,14 @@ RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDou
     ranked = fitBent(memory.pixels, ranked, pattern, settings, *memory.fitter);
   }
   return ranked;
+}
+
+std::optional<FittedPose> fitOnce(const MarkerInImage &view, const FittedPose &from, FitSettings settings,
+                                  MarkerPattern &pattern, MeasureMemory &memory)
+{
+  chooseAllPixels(view, &from.plane, 1, boundedBlur(from.photometry.blur), settings, pattern, memory);
+  settings.bend = from.plane.bend.isAny();
+  return memory.fitter->fitPose(memory.pixels, {from.plane, from.photometry, from.noise}, pattern, settings);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -41,6 +41,17 @@ constexpr double leastHopelessSize = 20.;
 */
 RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDoubt, bool isOneGivenUp,
                      const FitSettings &settings, MarkerPattern &pattern, MeasureMemory &memory);
+
+/*!
+  One fit on all pixels from a pose that is nearly right, in its light and with its bend, if it has one.
+  \param view : What is looked at.
+  \param from : The pose.
+  \param settings : Of the fit.
+  \param pattern : The print; it takes the turn of the sheet's edge.
+  \param memory : Working memory.
+*/
+std::optional<FittedPose> fitOnce(const MarkerInImage &view, const FittedPose &from, FitSettings settings,
+                                  MarkerPattern &pattern, MeasureMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

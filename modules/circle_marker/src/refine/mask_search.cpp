@@ -40,7 +40,7 @@ constexpr double mostSigma = 5.;
 constexpr double mostAmount = 6.;
 // Where the search begins, amount and pixels: what many cameras do; and if that does not explain the image, strong
 // sharpening by wide masks, which is not seen behind weak narrow ones.
-constexpr std::array<UnsharpMask, 3> starts = {{{0.5, 1.}, {1.4, 2.}, {3., 2.}}};
+constexpr std::array<UnsharpMask, 4> starts = {{{0.5, 1.}, {0.45, 2.}, {1.4, 2.}, {3., 2.}}};
 // Widths are tried in steps of this, ln.
 constexpr double stepOfWidth = 0.35;
 constexpr int mostSteps = 4;
@@ -54,10 +54,8 @@ constexpr double mostLeft = 1.12;
 // Up to so many where the marker is like none in the image as it is: it may be none.
 constexpr std::size_t mostTrialsOfUnlike = 20;
 // A mask leaves less than this share of the variance that none leaves, or there is none: any leaves some hundredths
-// less of what has other reasons. And where one leaves this many times as much, a weaker one of its width is none
-// either.
-constexpr double clearlyLess = 0.9;
-constexpr double muchWorse = 1.1;
+// less of what has other reasons.
+constexpr double clearlyLess = 0.97;
 // What nothing tells: a width of one pixel or of two, ln; and a strength, share of itself. Standard deviations.
 constexpr double widthOfCameras = 0.7;
 constexpr double strengthOfCameras = 1.;
@@ -75,20 +73,6 @@ double strengthOf(const UnsharpMask &mask)
 double mostStrengthOf(double lnSigma)
 {
   return mostAmount * attenuationOf(std::exp(lnSigma));
-}
-
-// Mean of the logarithm of a mask's gain over all frequencies of pixels.
-double lnGainOf(const UnsharpMask &mask)
-{
-  constexpr int steps = 12; // in each direction: to 0.001 of the sum
-  double sum = 0.;
-  for (int i = 0; i < steps; ++i) {
-    for (int j = 0; j < steps; ++j) {
-      const double squares = std::pow(M_PI * (i + 0.5) / steps, 2.) + std::pow(M_PI * (j + 0.5) / steps, 2.);
-      sum += std::log1p(mask.amount * (1. - std::exp(-0.5 * mask.sigma * mask.sigma * squares)));
-    }
-  }
-  return sum / (steps * steps);
 }
 
 // From one pose to another: of the centre, metres, and of the normal, as a rotation, rad. No mask turns a marker about
@@ -245,7 +229,7 @@ bool MaskSearch::searchStrength(double strength, double lnSigma)
   strength = std::min(strength, 0.5 * most);
   const double none = m_trials[0].left;
   double at = leftAt(strength, lnSigma);
-  if (at >= none && at < muchWorse * none) {
+  if (at >= none) {
     strength /= 3.;
     at = leftAt(strength, lnSigma);
   }

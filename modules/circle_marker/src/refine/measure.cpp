@@ -233,6 +233,17 @@ std::optional<Measurement> measureInOneLook(const vpImage<unsigned char> &I, con
   return measureInLight(view, patternAsRead(marker), true, false, memory, deadline, noise);
 }
 
+std::optional<FittedPose> measureNearby(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                        const Recognition &marker, const FittedPose &from, MeasureMemory &memory,
+                                        const Deadline &deadline, const ImageNoise &noise)
+{
+  const MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker, std::nullopt};
+  MarkerPattern pattern = patternAsRead(marker);
+  FitSettings settings = settingsFor(view, pattern, deadline);
+  settings.noise = noise;
+  return fitOnce(view, from, settings, pattern, memory);
+}
+
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,
                                    const Recognition &marker, bool refine, MeasureMemory &memory,
                                    const Deadline &deadline, const ImageNoise &noise)

@@ -92,6 +92,14 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
 std::optional<Measurement> measureInOneLook(const vpImage<unsigned char> &I, const CameraModel &camera,
                                             const Recognition &marker, MeasureMemory &memory, const Deadline &deadline,
                                             const ImageNoise &noise);
+
+/*!
+  With less again: one of its poses only, from where it was measured in an image that is nearly the same.
+  \param from : What was measured.
+*/
+std::optional<FittedPose> measureNearby(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                        const Recognition &marker, const FittedPose &from, MeasureMemory &memory,
+                                        const Deadline &deadline, const ImageNoise &noise);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -31,6 +31,19 @@ namespace {
 constexpr double leftOfMask = 0.05;
 } // namespace
 
+double lnGainOf(const UnsharpMask &mask)
+{
+  constexpr int steps = 12; // in each direction: to 0.001 of the sum
+  double sum = 0.;
+  for (int i = 0; i < steps; ++i) {
+    for (int j = 0; j < steps; ++j) {
+      const double squares = std::pow(M_PI * (i + 0.5) / steps, 2.) + std::pow(M_PI * (j + 0.5) / steps, 2.);
+      sum += std::log1p(mask.amount * (1. - std::exp(-0.5 * mask.sigma * mask.sigma * squares)));
+    }
+  }
+  return sum / (steps * steps);
+}
+
 bool undo(const UnsharpMask &mask, const vpImage<unsigned char> &I, const cv::Rect &box, const Deadline &deadline,
           vpImage<unsigned char> &restored)
 {

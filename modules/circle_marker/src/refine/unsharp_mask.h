@@ -41,6 +41,9 @@ struct UnsharpMask
   double ink = 0.;     //!< and of its ink.
 };
 
+/*! Mean of the logarithm of a mask's gain over all frequencies of pixels. */
+double lnGainOf(const UnsharpMask &mask);
+
 /*!
   Makes what was sharpened as it was: 1 + a (1 - G) takes no frequency away, so that its inverse is a mild blur, and
   noise that the camera sharpened with the image is as white again as it was.
