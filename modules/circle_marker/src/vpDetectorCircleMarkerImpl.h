@@ -186,9 +186,6 @@ private:
                         Fit &fit) const;
   bool measureIn(const Visit &visit, const circle_marker::EllipseCandidate &outline, circle_marker::Recognition marker,
                  Workspace &workspace, Found &measured, Fit &fit) const;
-  bool isLikelierSharpened(const Visit &visit, const circle_marker::FittedPose &fit,
-                           const circle_marker::Recognition &marker, const cv::Rect &around,
-                           Workspace &workspace) const;
   bool searchMask(const Visit &visit, const circle_marker::EllipseCandidate &outline,
                   const circle_marker::Recognition &marker, Workspace &workspace, Fit &fit, Found &measured) const;
   bool measureBehind(const Visit &visit, const circle_marker::SearchedMask &found,

@@ -18,10 +18,8 @@
 #include "vpDetectorCircleMarkerImpl.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"
 #include "support/sensor_range.h"
 #include "outer_edge.h"
@@ -49,8 +47,6 @@ constexpr double mostWorse = 1.2;
 // It has a code, as much that is round is like a ring behind some mask (clutter had twice as many rings); and it has no
 // larger radius than this, pixels: halos are some pixels wide, and large markers are like one with them.
 constexpr double largestUnlike = 60.;
-// Weak masks, amount and pixels: towards what sharpened an image one of them makes it likelier.
-constexpr std::array<UnsharpMask, 2> weakMasks = {{{0.2, 1.}, {0.15, 2.}}};
 // By so much, ln, a mask has to make the image likelier. (Two parameters gain 1 by chance.)
 constexpr double leastGain = 10.;
 
@@ -68,10 +64,10 @@ ImageNoise noiseBehind(const UnsharpMask &mask, const ImageNoise &noise)
 }
 
 // By how much the outer edge lies farther out or in by one measurement than by the other, pixels.
-double shiftBetween(const Measurement &one, const Measurement &other, const CameraModel &camera)
+double shiftBetween(const FittedPose &one, const FittedPose &other, const CameraModel &camera)
 {
-  const double scale = frameOf(one.first.plane, camera).size / frameOf(other.first.plane, camera).size;
-  return std::abs(scale - 1.) * frameOf(one.first.plane, camera).size;
+  const double scale = frameOf(one.plane, camera).size / frameOf(other.plane, camera).size;
+  return std::abs(scale - 1.) * frameOf(one.plane, camera).size;
 }
 
 cv::Rect boxOf(const PixelBox &box)
@@ -113,28 +109,6 @@ bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const El
 }
 
 /*!
-  Whether a measured marker is likelier in what the image was before a weak mask: by one fit each from where it was
-  measured, as a search for the mask takes long, and what is left of the image may have many another reason.
-*/
-bool vpDetectorCircleMarker::Impl::isLikelierSharpened(const Visit &visit, const FittedPose &fit,
-                                                       const Recognition &marker, const cv::Rect &around,
-                                                       Workspace &workspace) const
-{
-  const auto costOfPixel = [&](const vpImage<unsigned char> &I, const UnsharpMask &mask) {
-    const auto there = measureNearby(I, visit.camera, marker, fit, workspace.measuring, visit.deadline,
-                                     noiseBehind(mask, visit.noise));
-    return there ? std::log(unexplainedBy(*there)) + lnGainOf(mask) : HUGE_VAL;
-  };
-  const double none = costOfPixel(visit.I, UnsharpMask());
-  return std::any_of(weakMasks.begin(), weakMasks.end(), [&](UnsharpMask mask) {
-    mask.white = fit.photometry.white;
-    mask.ink = fit.photometry.white * (1. - fit.photometry.contrast());
-    return undo(mask, visit.I, around, visit.deadline, workspace.restored) &&
-           costOfPixel(workspace.restored, mask) < none;
-  });
-}
-
-/*!
   Looks for the mask behind which a marker is explained best, and measures it there. False, and nothing changes, if the
   image was not sharpened.
 */
@@ -147,20 +121,24 @@ bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const EllipseC
   there.poses[0] = fit.poses[0].flattened();
   there.poses[1] = fit.poses.size() > 1 ? fit.poses[1].flattened() : mirrored(there.poses[0]);
   const cv::Rect around = boxOf(surroundingsOf(outline, there.family, visit.I));
-  if (fit.measurement && fit.halo < leastHalo &&
-      !isLikelierSharpened(visit, fit.measurement->first, there, around, workspace)) {
-    return false;
+  std::optional<FittedPose> nearby; // where it was measured last
+  if (fit.measurement) {
+    nearby = fit.measurement->first;
   }
-  const auto behind = [&](const UnsharpMask &mask) -> std::optional<MeasuredBehind> {
+  const auto behind = [&](const UnsharpMask &mask) -> std::optional<FitBehind> {
     if (!undo(mask, visit.I, around, visit.deadline, workspace.restored)) {
       return std::nullopt;
     }
-    const auto measurement = measureInOneLook(workspace.restored, visit.camera, there, workspace.measuring,
-                                              visit.deadline, noiseBehind(mask, visit.noise));
-    if (!measurement || (fit.measurement && shiftBetween(*fit.measurement, *measurement, visit.camera) > mostShift)) {
+    const ImageNoise noise = noiseBehind(mask, visit.noise);
+    const auto found =
+        nearby ? measureNearby(workspace.restored, visit.camera, there, *nearby, workspace.measuring, visit.deadline,
+                               noise)
+               : measureInOneLook(workspace.restored, visit.camera, there, workspace.measuring, visit.deadline, noise);
+    if (!found || (fit.measurement && shiftBetween(fit.measurement->first, *found, visit.camera) > mostShift)) {
       return std::nullopt;
     }
-    return MeasuredBehind{*measurement, workspace.measuring.pixels.size()};
+    nearby = found;
+    return FitBehind{*found, workspace.measuring.pixels.size()};
   };
   FittedPose from;
   from.plane = there.poses[0];
@@ -171,7 +149,10 @@ bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const EllipseC
     from.photometry.white = 255.;
     from.photometry.absorption = 1.;
   }
-  MaskSearch search(from, fit.measurement.has_value(), std::max(visit.noise.sigma, quantisation), behind);
+  const auto known = !fit.measurement        ? MaskSearch::Known::NOTHING
+                     : fit.halo >= leastHalo ? MaskSearch::Known::HALO
+                                             : MaskSearch::Known::POSE;
+  MaskSearch search(from, known, std::max(visit.noise.sigma, quantisation), behind);
   const auto found = search.run();
   return found && found->gain > leastGain && !visit.deadline.hasPassed() &&
          measureBehind(visit, *found, outline, there, workspace, fit, measured);
@@ -195,9 +176,10 @@ bool vpDetectorCircleMarker::Impl::measureBehind(const Visit &visit, const Searc
     return false;
   }
   // With light and code looked at again it may be another marker, or a worse one.
-  if (fit.measurement && (restored.marker.code.id != measured.marker.code.id ||
-                          shiftBetween(*fit.measurement, *restoredFit.measurement, visit.camera) > mostShift ||
-                          restoredFit.left > mostWorse * fit.left)) {
+  if (fit.measurement &&
+      (restored.marker.code.id != measured.marker.code.id ||
+       shiftBetween(fit.measurement->first, restoredFit.measurement->first, visit.camera) > mostShift ||
+       restoredFit.left > mostWorse * fit.left)) {
     return false;
   }
   restored.noise = visit.noise;

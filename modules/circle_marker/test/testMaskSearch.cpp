@@ -18,6 +18,7 @@
 #include "refine/mask_search.h"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -47,7 +48,7 @@ MarkerScene sceneOf(Random &random, vpCircleMarkerFamily::vpType type, double di
 struct Searched
 {
   std::optional<SearchedMask> found;
-  std::optional<Measurement> behind; //!< The marker measured behind it.
+  std::optional<FittedPose> behind; //!< The marker measured behind it.
 };
 
 Searched searchedIn(const vpImage<unsigned char> &I, const MarkerScene &scene, double noise)
@@ -59,19 +60,20 @@ Searched searchedIn(const vpImage<unsigned char> &I, const MarkerScene &scene, d
   const auto asSeen = measure(I, camera, marker, true, memory, Deadline(), ImageNoise{noise, 1., false});
   marker.asSeen = &I;
   vpImage<unsigned char> restored;
-  const auto behind = [&](const UnsharpMask &mask) -> std::optional<MeasuredBehind> {
+  const auto behind = [&](const UnsharpMask &mask) -> std::optional<FitBehind> {
     undo(mask, I, cv::Rect(0, 0, side, side), Deadline(), restored);
     const ImageNoise white = {noise / (1. + mask.amount), 1., false};
-    const auto measurement = measureInOneLook(restored, camera, marker, memory, Deadline(), white);
-    return measurement ? std::make_optional(MeasuredBehind{*measurement, memory.pixels.size()}) : std::nullopt;
+    const auto fit = measureInOneLook(restored, camera, marker, memory, Deadline(), white);
+    return fit ? std::make_optional(FitBehind{*fit, memory.pixels.size()}) : std::nullopt;
   };
   FittedPose start;
   start.plane = scene.plane();
-  MaskSearch search(asSeen ? asSeen->first : start, asSeen.has_value(), noise, behind);
+  MaskSearch search(asSeen ? asSeen->first : start, asSeen ? MaskSearch::Known::POSE : MaskSearch::Known::NOTHING,
+                    noise, behind);
   searched.found = search.run();
   if (searched.found) {
     const auto again = behind(searched.found->mask);
-    searched.behind = again ? std::make_optional(again->measurement) : std::nullopt;
+    searched.behind = again ? std::make_optional(again->fit) : std::nullopt;
   }
   return searched;
 }
@@ -104,9 +106,9 @@ TEST(MaskSearch, FindsWhereLeastIsLeftAndHowWellThatIsKnown)
   const auto behind = [&](const UnsharpMask &mask) {
     const Eigen::Vector2d place(mask.amount * (1. - std::exp(-0.3 * mask.sigma * mask.sigma)), std::log(mask.sigma));
     const Eigen::Vector2d off = place - truth;
-    MeasuredBehind result;
+    FitBehind result;
     result.pixels = pixels;
-    FittedPose &fit = result.measurement.first;
+    FittedPose &fit = result.fit;
     fit.plane = scene.plane();
     fit.plane.center.z() += depthBy.dot(off);
     fit.inliers = 1.;
@@ -115,7 +117,7 @@ TEST(MaskSearch, FindsWhereLeastIsLeftAndHowWellThatIsKnown)
   };
   FittedPose start;
   start.plane = scene.plane();
-  MaskSearch search(start, true, 1., behind);
+  MaskSearch search(start, MaskSearch::Known::POSE, 1., behind);
   const auto found = search.run();
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->mask.sigma, 1.5, 0.05);
@@ -128,16 +130,18 @@ TEST(MaskSearch, FindsWhereLeastIsLeftAndHowWellThatIsKnown)
 
 TEST(MaskSearch, WhereNothingIsMeasuredThereIsNoMask)
 {
-  for (const bool isMeasured : {false, true}) {
+  using Known = MaskSearch::Known;
+  for (const auto &[known, most] :
+       {std::pair<Known, unsigned int>(Known::NOTHING, 9), {Known::POSE, 1}, {Known::HALO, 1}}) {
     unsigned int trials = 0;
     FittedPose start;
     start.plane = MarkerScene().plane();
-    MaskSearch search(start, isMeasured, 1., [&](const UnsharpMask &) {
+    MaskSearch search(start, known, 1., [&](const UnsharpMask &) {
       ++trials;
-      return std::optional<MeasuredBehind>();
+      return std::optional<FitBehind>();
     });
     EXPECT_FALSE(search.run());
-    EXPECT_EQ(trials, isMeasured ? 1u : 5u) << "no mask, and each start once";
+    EXPECT_EQ(trials, most) << "no mask, and each start and a third of it";
   }
 }
 
@@ -171,7 +175,7 @@ TEST(MaskSearch, MasksOfCamerasAreTold)
           const UnsharpMask &mask = searched.found->mask;
           lnStrength += std::log(mask.amount * (1. - std::exp(-0.3 * mask.sigma * mask.sigma)) /
                                  (amount * (1. - std::exp(-0.3 * sigma * sigma))));
-          FittedPose fit = searched.behind->first;
+          FittedPose fit = *searched.behind;
           fit.covariance += searched.found->doubt;
           squared +=
               fit_test::mahalanobis(fit, scene.plane(), scene.family.isCoded()) / (scene.family.isCoded() ? 6. : 5.);

@@ -26,6 +26,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "refine/coarse_fits.h"
+#include "refine/fit_starts.h"
 #include "support/sensor_range.h"
 
 BEGIN_VISP_NAMESPACE
@@ -38,6 +39,9 @@ constexpr double ofStrength = 0.3;
 constexpr double leastSigma = 0.5;
 constexpr double mostSigma = 5.;
 constexpr double mostAmount = 6.;
+// Weak masks, amount and pixels: towards what sharpened an image one of them makes it likelier; that is the last one
+// where a small marker was sharpened strongly.
+constexpr std::array<UnsharpMask, 3> weakMasks = {{{0.2, 1.}, {0.15, 2.}, {0.5, 2.}}};
 // Where the search begins, amount and pixels: what many cameras do; and if that does not explain the image, strong
 // sharpening by wide masks, which is not seen behind weak narrow ones.
 constexpr std::array<UnsharpMask, 4> starts = {{{0.5, 1.}, {0.45, 2.}, {1.4, 2.}, {3., 2.}}};
@@ -84,33 +88,25 @@ Eigen::Matrix<double, 6, 1> change(const MarkerPlane &from, const MarkerPlane &t
   return pose;
 }
 
-// Turns the normal of a pose to that of the other one with nearly the same image, which leans to the other side of the
-// line of sight.
-Eigen::Matrix3d toOther(const MarkerPlane &plane)
-{
-  const Eigen::Vector3d sight = plane.center.normalized();
-  return 2. * sight * sight.transpose() - Eigen::Matrix3d::Identity();
-}
-
 // Whether a pose leans as another one does, not to the other side.
 bool isAlike(const MarkerPlane &plane, const MarkerPlane &other)
 {
-  const Eigen::Vector3d normal = other.rotation.col(2);
-  return plane.rotation.col(2).dot(normal) >= plane.rotation.col(2).dot(toOther(other) * normal);
+  const Eigen::Vector3d normal = plane.rotation.col(2);
+  return normal.dot(other.rotation.col(2)) >= normal.dot(mirrored(other).rotation.col(2));
 }
 } // namespace
 
 Eigen::Matrix<double, 6, 6> SearchedMask::doubtOf(const MarkerPlane &plane) const
 {
-  const Eigen::Matrix3d turned = isAlike(plane, pose) ? Eigen::Matrix3d::Identity() : toOther(pose);
+  const MarkerPlane &nearest = isAlike(plane, pose) ? pose : mirrored(pose);
   Eigen::Matrix<double, 6, 6> there = Eigen::Matrix<double, 6, 6>::Zero();
   there.topLeftCorner<3, 3>() = plane.radius / pose.radius * Eigen::Matrix3d::Identity();
-  there.bottomRightCorner<3, 3>() = turned;
+  there.bottomRightCorner<3, 3>() = nearest.rotation * pose.rotation.transpose();
   return there * doubt * there.transpose();
 }
 
-MaskSearch::MaskSearch(const FittedPose &start, bool isMeasured, double noise, MeasureBehind measureBehind)
-    : m_start(start.plane), m_isMeasured(isMeasured), m_noise(noise), m_measureBehind(std::move(measureBehind)),
+MaskSearch::MaskSearch(const FittedPose &start, Known known, double noise, MeasureBehind measureBehind)
+    : m_start(start.plane), m_known(known), m_noise(noise), m_measureBehind(std::move(measureBehind)),
       m_white(start.photometry.white), m_ink(m_white * (1. - start.photometry.contrast()))
 {
 }
@@ -118,7 +114,9 @@ MaskSearch::MaskSearch(const FittedPose &start, bool isMeasured, double noise, M
 std::optional<SearchedMask> MaskSearch::run()
 {
   const double none = tryAt(Eigen::Vector2d::Zero());
-  if (m_isMeasured && !std::isfinite(none)) { // in even light and without what is cut off it is none: no mask is why
+  // In even light and without what is cut off it is none: no mask is why.
+  const bool isNone = m_known != Known::NOTHING && !std::isfinite(none);
+  if (isNone || (m_known == Known::POSE && !isLikelierBehindAny())) {
     return std::nullopt;
   }
   for (const UnsharpMask &start : starts) {
@@ -149,6 +147,14 @@ void MaskSearch::searchFrom(const UnsharpMask &start)
     searchWidth();
   }
   searchBoth();
+}
+
+// Whether a weak mask makes the marker likelier. What is left of it may have many another reason.
+bool MaskSearch::isLikelierBehindAny()
+{
+  return std::any_of(weakMasks.begin(), weakMasks.end(), [this](const UnsharpMask &mask) {
+    return leftAt(strengthOf(mask), std::log(mask.sigma)) < m_trials[0].left;
+  });
 }
 
 // Whether the best mask leaves hardly more than noise.
@@ -202,16 +208,16 @@ double MaskSearch::tryAt(const Eigen::Vector2d &place)
     m_trials.push_back(trial);
     return HUGE_VAL;
   }
-  const FittedPose &fit = behind->measurement.first;
+  const FittedPose &fit = behind->fit;
   trial.pixels = static_cast<double>(behind->pixels) / fit.sharing;
   trial.noise = fit.noise;
   trial.left = std::pow(unexplainedBy(fit) * std::exp(lnGainOf(mask)), 2.);
-  const auto &second = behind->measurement.second;
+  const bool isFirst = m_trials.empty() || !std::isfinite(m_trials[m_best].left);
+  if (m_known == Known::NOTHING && isFirst) { // the outline's pose was none of both
+    m_start = fit.plane;
+  }
   if (isAlike(fit.plane, m_start)) {
     trial.pose = change(m_start, fit.plane);
-  }
-  else if (second && isAlike(second->plane, m_start)) {
-    trial.pose = change(m_start, second->plane);
   }
   m_trials.push_back(trial);
   if (trial.left < m_trials[m_best].left) {

@@ -28,7 +28,7 @@
 
 #include <Eigen/Core>
 
-#include "refine/measure.h"
+#include "refine/fitted_pose.h"
 #include "refine/unsharp_mask.h"
 #include "support/few.h"
 
@@ -50,9 +50,9 @@ struct SearchedMask
 };
 
 /*! A marker behind a mask. */
-struct MeasuredBehind
+struct FitBehind
 {
-  Measurement measurement;
+  FittedPose fit;
   std::size_t pixels = 0; //!< Number of pixels that it was fitted to.
 };
 
@@ -67,15 +67,23 @@ class MaskSearch
 {
 public:
   /*! Measures the marker in the image before a mask, or finds that it is none there. */
-  using MeasureBehind = std::function<std::optional<MeasuredBehind>(const UnsharpMask &)>;
+  using MeasureBehind = std::function<std::optional<FitBehind>(const UnsharpMask &)>;
+
+  /*! What is known before. */
+  enum class Known
+  {
+    NOTHING, //!< The marker is like none in the image as it is.
+    POSE,    //!< It was measured.
+    HALO     //!< And a halo is seen beside it.
+  };
 
   /*!
     \param start : The marker as it was measured, or, where it was like none, only its pose, paper and ink.
-    \param isMeasured : Which of both.
+    \param known : Which of both, and whether a halo is seen.
     \param noise : Standard deviation of the image's noise, grey levels.
     \param measureBehind : Measures it behind a mask.
   */
-  MaskSearch(const FittedPose &start, bool isMeasured, double noise, MeasureBehind measureBehind);
+  MaskSearch(const FittedPose &start, Known known, double noise, MeasureBehind measureBehind);
 
   /*!
     Looks for the mask.
@@ -106,6 +114,7 @@ private:
   double leftAt(double strength, double lnSigma);
   double tryAt(const Eigen::Vector2d &place);
   void searchFrom(const UnsharpMask &start);
+  bool isLikelierBehindAny();
   bool isExplained() const;
   bool isBetterThanNone() const;
   bool isOver() const;
@@ -120,7 +129,7 @@ private:
   SearchedMask result() const;
 
   MarkerPlane m_start;
-  bool m_isMeasured;
+  Known m_known;
   double m_noise;
   MeasureBehind m_measureBehind;
   Few<Trial, mostTrials> m_trials;

@@ -225,12 +225,13 @@ bool isOtherRing(const Recognition &marker, const FittedPose &fit, const CameraM
   return !marker.family.isCoded() && std::abs(blur.spread) > most;
 }
 
-std::optional<Measurement> measureInOneLook(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                            const Recognition &marker, MeasureMemory &memory, const Deadline &deadline,
-                                            const ImageNoise &noise)
+std::optional<FittedPose> measureInOneLook(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                           const Recognition &marker, MeasureMemory &memory, const Deadline &deadline,
+                                           const ImageNoise &noise)
 {
   MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker, std::nullopt};
-  return measureInLight(view, patternAsRead(marker), true, false, memory, deadline, noise);
+  const auto measurement = measureInLight(view, patternAsRead(marker), true, false, memory, deadline, noise);
+  return measurement ? std::make_optional(measurement->first) : std::nullopt;
 }
 
 std::optional<FittedPose> measureNearby(const vpImage<unsigned char> &I, const CameraModel &camera,

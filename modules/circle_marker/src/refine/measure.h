@@ -87,14 +87,15 @@ std::optional<Measurement> measure(const vpImage<unsigned char> &I, const Camera
                                    const Deadline &deadline = Deadline(), const ImageNoise &noise = ImageNoise());
 
 /*!
-  The same with less: in even light, whatever that leaves, for a marker that is measured many times.
+  The likelier pose with less: in even light, whatever that leaves.
 */
-std::optional<Measurement> measureInOneLook(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                            const Recognition &marker, MeasureMemory &memory, const Deadline &deadline,
-                                            const ImageNoise &noise);
+std::optional<FittedPose> measureInOneLook(const vpImage<unsigned char> &I, const CameraModel &camera,
+                                           const Recognition &marker, MeasureMemory &memory, const Deadline &deadline,
+                                           const ImageNoise &noise);
 
 /*!
-  With less again: one of its poses only, from where it was measured in an image that is nearly the same.
+  With less again, for a marker that is measured many times: one of its poses only, from where it was measured in an
+  image that is nearly the same.
   \param from : What was measured.
 */
 std::optional<FittedPose> measureNearby(const vpImage<unsigned char> &I, const CameraModel &camera,
