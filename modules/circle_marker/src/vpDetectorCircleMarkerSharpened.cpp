@@ -47,6 +47,8 @@ constexpr double mostWorse = 1.2;
 // It has a code, as much that is round is like a ring behind some mask (clutter had twice as many rings); and it has no
 // larger radius than this, pixels: halos are some pixels wide, and large markers are like one with them.
 constexpr double largestUnlike = 60.;
+// Masks take from the blur, as much as this one adds to it, pixels.
+constexpr double takenByMasks = 0.5;
 // By so much, ln, a mask has to make the image likelier. (Two parameters gain 1 by chance.)
 constexpr double leastGain = 10.;
 
@@ -120,24 +122,31 @@ bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const EllipseC
   there.asSeen = &visit.I;
   there.poses[0] = fit.poses[0].flattened();
   there.poses[1] = fit.poses.size() > 1 ? fit.poses[1].flattened() : mirrored(there.poses[0]);
-  const cv::Rect around = boxOf(surroundingsOf(outline, there.family, visit.I));
-  std::optional<FittedPose> nearby; // where it was measured last
+  const cv::Rect box = boxOf(surroundingsOf(outline, there.family, visit.I));
+  std::optional<FittedPose> around; // where it was measured first: around its edges pixels are chosen
+  const auto choose = [&](const FittedPose &found) {
+    around = found;
+    around->photometry.blur.sigma = std::hypot(found.photometry.blur.sigma, takenByMasks);
+  };
   if (fit.measurement) {
-    nearby = fit.measurement->first;
+    choose(fit.measurement->first);
   }
-  const auto behind = [&](const UnsharpMask &mask) -> std::optional<FitBehind> {
-    if (!undo(mask, visit.I, around, visit.deadline, workspace.restored)) {
+  const auto behind = [&](const UnsharpMask &mask, const FittedPose *nearest) -> std::optional<FitBehind> {
+    if (!undo(mask, visit.I, box, visit.deadline, workspace.restored)) {
       return std::nullopt;
     }
     const ImageNoise noise = noiseBehind(mask, visit.noise);
     const auto found =
-        nearby ? measureNearby(workspace.restored, visit.camera, there, *nearby, workspace.measuring, visit.deadline,
-                               noise)
-               : measureInOneLook(workspace.restored, visit.camera, there, workspace.measuring, visit.deadline, noise);
+        nearest != nullptr && around
+            ? measureNearby(workspace.restored, visit.camera, there, *around, *nearest, workspace.measuring,
+                            visit.deadline, noise)
+            : measureInOneLook(workspace.restored, visit.camera, there, workspace.measuring, visit.deadline, noise);
     if (!found || (fit.measurement && shiftBetween(fit.measurement->first, *found, visit.camera) > mostShift)) {
       return std::nullopt;
     }
-    nearby = found;
+    if (!around) {
+      choose(*found);
+    }
     return FitBehind{*found, workspace.measuring.pixels.size()};
   };
   FittedPose from;

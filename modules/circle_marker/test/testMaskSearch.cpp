@@ -60,7 +60,7 @@ Searched searchedIn(const vpImage<unsigned char> &I, const MarkerScene &scene, d
   const auto asSeen = measure(I, camera, marker, true, memory, Deadline(), ImageNoise{noise, 1., false});
   marker.asSeen = &I;
   vpImage<unsigned char> restored;
-  const auto behind = [&](const UnsharpMask &mask) -> std::optional<FitBehind> {
+  const auto behind = [&](const UnsharpMask &mask, const FittedPose *) -> std::optional<FitBehind> {
     undo(mask, I, cv::Rect(0, 0, side, side), Deadline(), restored);
     const ImageNoise white = {noise / (1. + mask.amount), 1., false};
     const auto fit = measureInOneLook(restored, camera, marker, memory, Deadline(), white);
@@ -72,7 +72,7 @@ Searched searchedIn(const vpImage<unsigned char> &I, const MarkerScene &scene, d
                     noise, behind);
   searched.found = search.run();
   if (searched.found) {
-    const auto again = behind(searched.found->mask);
+    const auto again = behind(searched.found->mask, nullptr);
     searched.behind = again ? std::make_optional(again->fit) : std::nullopt;
   }
   return searched;
@@ -103,7 +103,7 @@ TEST(MaskSearch, FindsWhereLeastIsLeftAndHowWellThatIsKnown)
   curvature << 300., 6., 6., 8.;
   const Eigen::Vector2d depthBy(-0.02, 0.004); // m
   const MarkerScene scene;
-  const auto behind = [&](const UnsharpMask &mask) {
+  const auto behind = [&](const UnsharpMask &mask, const FittedPose *) {
     const Eigen::Vector2d place(mask.amount * (1. - std::exp(-0.3 * mask.sigma * mask.sigma)), std::log(mask.sigma));
     const Eigen::Vector2d off = place - truth;
     FitBehind result;
@@ -136,7 +136,7 @@ TEST(MaskSearch, WhereNothingIsMeasuredThereIsNoMask)
     unsigned int trials = 0;
     FittedPose start;
     start.plane = MarkerScene().plane();
-    MaskSearch search(start, known, 1., [&](const UnsharpMask &) {
+    MaskSearch search(start, known, 1., [&](const UnsharpMask &, const FittedPose *) {
       ++trials;
       return std::optional<FitBehind>();
     });

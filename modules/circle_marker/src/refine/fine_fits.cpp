@@ -158,10 +158,10 @@ RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDou
   return ranked;
 }
 
-std::optional<FittedPose> fitOnce(const MarkerInImage &view, const FittedPose &from, FitSettings settings,
-                                  MarkerPattern &pattern, MeasureMemory &memory)
+std::optional<FittedPose> fitOnce(const MarkerInImage &view, const FittedPose &around, const FittedPose &from,
+                                  FitSettings settings, MarkerPattern &pattern, MeasureMemory &memory)
 {
-  chooseAllPixels(view, &from.plane, 1, boundedBlur(from.photometry.blur), settings, pattern, memory);
+  chooseAllPixels(view, &around.plane, 1, boundedBlur(around.photometry.blur), settings, pattern, memory);
   settings.bend = from.plane.bend.isAny();
   return memory.fitter->fitPose(memory.pixels, {from.plane, from.photometry, from.noise}, pattern, settings);
 }

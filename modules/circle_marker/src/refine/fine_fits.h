@@ -45,13 +45,14 @@ RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDou
 /*!
   One fit on all pixels from a pose that is nearly right, in its light and with its bend, if it has one.
   \param view : What is looked at.
+  \param around : Around whose edges the pixels are chosen, as far as its blur reaches.
   \param from : The pose.
   \param settings : Of the fit.
   \param pattern : The print; it takes the turn of the sheet's edge.
   \param memory : Working memory.
 */
-std::optional<FittedPose> fitOnce(const MarkerInImage &view, const FittedPose &from, FitSettings settings,
-                                  MarkerPattern &pattern, MeasureMemory &memory);
+std::optional<FittedPose> fitOnce(const MarkerInImage &view, const FittedPose &around, const FittedPose &from,
+                                  FitSettings settings, MarkerPattern &pattern, MeasureMemory &memory);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -109,6 +109,9 @@ MaskSearch::MaskSearch(const FittedPose &start, Known known, double noise, Measu
     : m_start(start.plane), m_known(known), m_noise(noise), m_measureBehind(std::move(measureBehind)),
       m_white(start.photometry.white), m_ink(m_white * (1. - start.photometry.contrast()))
 {
+  if (known != Known::NOTHING) {
+    m_nearest = start;
+  }
 }
 
 std::optional<SearchedMask> MaskSearch::run()
@@ -194,6 +197,20 @@ double MaskSearch::leftAt(double strength, double lnSigma)
   return known != m_trials.end() ? known->left : tryAt(place);
 }
 
+// From where it was measured behind the best mask; with the noise that is as likely: fits that weigh pixels by another
+// noise leave more or less, by some per cent, which hides what masks do.
+std::optional<FitBehind> MaskSearch::measureBehind(const UnsharpMask &mask) const
+{
+  if (!m_nearest) {
+    return m_measureBehind(mask, nullptr);
+  }
+  FittedPose nearest = *m_nearest;
+  if (!m_trials.empty()) {
+    nearest.noise *= std::exp(lnGainOf(maskAt(m_trials[m_best].place)) - lnGainOf(mask));
+  }
+  return m_measureBehind(mask, &nearest);
+}
+
 // The same of one that was not; HUGE_VAL if there were trials enough.
 double MaskSearch::tryAt(const Eigen::Vector2d &place)
 {
@@ -203,7 +220,7 @@ double MaskSearch::tryAt(const Eigen::Vector2d &place)
   Trial trial;
   trial.place = place;
   const UnsharpMask mask = maskAt(trial.place);
-  const auto behind = m_measureBehind(mask);
+  const auto behind = measureBehind(mask);
   if (!behind) {
     m_trials.push_back(trial);
     return HUGE_VAL;
@@ -212,16 +229,16 @@ double MaskSearch::tryAt(const Eigen::Vector2d &place)
   trial.pixels = static_cast<double>(behind->pixels) / fit.sharing;
   trial.noise = fit.noise;
   trial.left = std::pow(unexplainedBy(fit) * std::exp(lnGainOf(mask)), 2.);
-  const bool isFirst = m_trials.empty() || !std::isfinite(m_trials[m_best].left);
-  if (m_known == Known::NOTHING && isFirst) { // the outline's pose was none of both
+  if (!m_nearest) { // the outline's pose was none of both
     m_start = fit.plane;
   }
   if (isAlike(fit.plane, m_start)) {
     trial.pose = change(m_start, fit.plane);
   }
   m_trials.push_back(trial);
-  if (trial.left < m_trials[m_best].left) {
+  if (!m_nearest || trial.left < m_trials[m_best].left) {
     m_best = m_trials.size() - 1;
+    m_nearest = fit;
     m_white = fit.photometry.white;
     m_ink = m_white * (1. - fit.photometry.contrast());
   }

@@ -66,8 +66,11 @@ struct FitBehind
 class MaskSearch
 {
 public:
-  /*! Measures the marker in the image before a mask, or finds that it is none there. */
-  using MeasureBehind = std::function<std::optional<FitBehind>(const UnsharpMask &)>;
+  /*!
+    Measures the marker in the image before a mask, or finds that it is none there. The second argument is where it was
+    measured behind the best mask so far, nullptr if nowhere.
+  */
+  using MeasureBehind = std::function<std::optional<FitBehind>(const UnsharpMask &, const FittedPose *)>;
 
   /*! What is known before. */
   enum class Known
@@ -112,6 +115,7 @@ private:
 
   UnsharpMask maskAt(const Eigen::Vector2d &place) const;
   double leftAt(double strength, double lnSigma);
+  std::optional<FitBehind> measureBehind(const UnsharpMask &mask) const;
   double tryAt(const Eigen::Vector2d &place);
   void searchFrom(const UnsharpMask &start);
   bool isLikelierBehindAny();
@@ -133,9 +137,10 @@ private:
   double m_noise;
   MeasureBehind m_measureBehind;
   Few<Trial, mostTrials> m_trials;
-  std::size_t m_best = 0; // of the trials
-  double m_white;         // grey level of paper beside the marker,
-  double m_ink;           // and of its ink
+  std::optional<FittedPose> m_nearest; // where the marker was measured in the best of them
+  std::size_t m_best = 0;              // of the trials
+  double m_white;                      // grey level of paper beside the marker,
+  double m_ink;                        // and of its ink
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -235,14 +235,14 @@ std::optional<FittedPose> measureInOneLook(const vpImage<unsigned char> &I, cons
 }
 
 std::optional<FittedPose> measureNearby(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                        const Recognition &marker, const FittedPose &from, MeasureMemory &memory,
-                                        const Deadline &deadline, const ImageNoise &noise)
+                                        const Recognition &marker, const FittedPose &around, const FittedPose &from,
+                                        MeasureMemory &memory, const Deadline &deadline, const ImageNoise &noise)
 {
   const MarkerInImage view = {I, camera, frameOf(marker.poses[0], camera), marker, std::nullopt};
   MarkerPattern pattern = patternAsRead(marker);
   FitSettings settings = settingsFor(view, pattern, deadline);
   settings.noise = noise;
-  return fitOnce(view, from, settings, pattern, memory);
+  return fitOnce(view, around, from, settings, pattern, memory);
 }
 
 std::optional<Measurement> measure(const vpImage<unsigned char> &I, const CameraModel &camera,

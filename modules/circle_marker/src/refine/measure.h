@@ -96,11 +96,12 @@ std::optional<FittedPose> measureInOneLook(const vpImage<unsigned char> &I, cons
 /*!
   With less again, for a marker that is measured many times: one of its poses only, from where it was measured in an
   image that is nearly the same.
-  \param from : What was measured.
+  \param around : Around whose edges pixels are chosen: for measurements that are compared they must be the same.
+  \param from : Where it was measured.
 */
 std::optional<FittedPose> measureNearby(const vpImage<unsigned char> &I, const CameraModel &camera,
-                                        const Recognition &marker, const FittedPose &from, MeasureMemory &memory,
-                                        const Deadline &deadline, const ImageNoise &noise);
+                                        const Recognition &marker, const FittedPose &around, const FittedPose &from,
+                                        MeasureMemory &memory, const Deadline &deadline, const ImageNoise &noise);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 
