@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"
 #include "support/sensor_range.h"
 #include "outer_edge.h"
@@ -56,7 +57,8 @@ constexpr double leastGain = 10.;
 bool isTooMuchLeft(const FittedPose &fit, std::size_t pixels, double noise)
 {
   const double most = muchLeft + byChance * std::sqrt(fit.sharing / static_cast<double>(pixels));
-  return fit.noise > std::hypot(most * std::max(noise, quantisation), lacking * fit.photometry.tellableContrast());
+  return unexplainedBy(fit) >
+         std::hypot(most * std::max(noise, quantisation), lacking * fit.photometry.tellableContrast());
 }
 
 // Noise behind a mask: of the highest frequencies, by which a marker is measured.
