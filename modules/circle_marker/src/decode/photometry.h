@@ -85,6 +85,8 @@ struct Photometry
   Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero(); //!< Change of the light over the marker's size, share of it.
   double absorption = 0.8;                                 //!< Share of the light that ink takes.
   double gamma = 1.;                                       //!< The camera's.
+  //! How far the camera's tone curve is an S besides: see maximum_likelihood.h; nothing: it is not.
+  std::optional<double> toneCurve;
   //! How much of what may lie beyond the quiet zone does, for each shape that the paper may have (PaperShape): 1 if it
   //! ends there, 0 if it goes on.
   std::array<double, paperShapes> surround = {{0.25, 0.5}};

@@ -27,6 +27,7 @@
 #include "refine/pose_odds.h"
 #include "refine/spin_search.h"
 #include "refine/surround.h"
+#include "refine/tone_curve.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -146,7 +147,14 @@ RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDou
       tellLight(view, pattern, ranked.fits[0], settings, memory)) {
     ranked = fitAllPixels(view, ranked, isOneGivenUp, settings, pattern, memory);
   }
-  if (isInDoubt || ranked.fits.empty() || pattern.sectors == 0) {
+  if (isInDoubt || ranked.fits.empty()) {
+    return ranked;
+  }
+  if (settings.gammaAndSpread && !ranked.fits[0].photometry.shadow &&
+      (pattern.sectors == 0 || mayHaveToneCurve(ranked.fits[0], view.frame.size, settings.noise.sigma))) {
+    ranked = fitToneCurve(memory.pixels, ranked, pattern, settings, *memory.fitter);
+  }
+  if (ranked.fits.empty() || pattern.sectors == 0) {
     return ranked;
   }
   if (marker.isCertain && mayBeTurned(ranked.fits[0])) {

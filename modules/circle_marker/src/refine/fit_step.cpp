@@ -33,6 +33,9 @@ constexpr double mostSigma = 20.;
 // Cameras' gamma lies between 0.4 and 2.4.
 constexpr double leastGamma = 0.3;
 constexpr double mostGamma = 3.3;
+// Grey levels rise with the light on curves between -1 and 2.
+constexpr double leastToneCurve = -0.9;
+constexpr double mostToneCurve = 1.5;
 // What a shadow leaves of the light, and the softness of its edge, in units of the marker's size.
 constexpr double mostFactor = 1.;
 constexpr double leastSoftness = 0.003;
@@ -91,6 +94,9 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   photometry.paper.shift += step.segment<2>(paperAt);
   photometry.paper.turn += step[paperAt + 2];
   photometry.paper.growth += step[paperAt + 3];
+  if (photometry.toneCurve) {
+    photometry.toneCurve = std::clamp(*photometry.toneCurve + step[toneAt], leastToneCurve, mostToneCurve);
+  }
   if (photometry.shadow) {
     Shadow &shadow = *photometry.shadow;
     shadow.factor = std::clamp(shareAfter(shadow.factor, step[shadowAt], bend), leastLightInShadow, mostFactor);
@@ -104,6 +110,7 @@ bool isAlike(const Photometry &p, const Photometry &q)
 {
   return std::abs(p.white - q.white) < nearLight * p.white && std::abs(p.absorption - q.absorption) < nearLight &&
          std::abs(p.gamma - q.gamma) < nearLight * p.gamma &&
+         std::abs(p.toneCurve.value_or(0.) - q.toneCurve.value_or(0.)) < nearLight &&
          std::abs(p.blur.sigma - q.blur.sigma) < nearLight * p.blur.sigma;
 }
 

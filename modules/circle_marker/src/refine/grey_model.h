@@ -99,6 +99,36 @@ inline ShadowLanes shadowOf(const PixelBlock &block, const Shadow &shadow)
   return lanes;
 }
 
+// What a tone curve adds to a print's share of white.
+struct ToneLanes
+{
+  Lanes added;
+  Lanes byPrint; // derivatives of that by the print,
+  Lanes byBlack; // by the print of ink,
+  Lanes byCurve; // and by the curve's parameter
+};
+
+inline ToneLanes toneOf(const Lanes &print, double black, double curve)
+{
+  const auto range = static_cast<float>(1. - black);
+  const auto kappa = static_cast<float>(curve);
+  const Lanes w = (print - static_cast<float>(black)) / range;
+  const Lanes shape = w * (1.f - w) * (1.f - 2.f * w);
+  const Lanes slope = 1.f - 6.f * w * (1.f - w);
+  ToneLanes tone;
+  tone.byCurve = range * shape;
+  tone.added = kappa * tone.byCurve;
+  tone.byPrint = kappa * slope;
+  tone.byBlack = kappa * (slope * (w - 1.f) - shape);
+  return tone;
+}
+
+// The print of ink, share of white.
+inline double inkOf(const Photometry &photometry)
+{
+  return std::pow(std::max(1. - photometry.absorption, leastLight), photometry.gamma);
+}
+
 // Where the sensor's grey levels end: a pixel that should be brighter than this is this bright.
 constexpr float brightest = 255.f;
 
@@ -109,7 +139,8 @@ struct GreyLanes
   Lanes reflectance;    // share of it that the print leaves
   Lanes logReflectance; // and its logarithm
   Lanes white;          // grey level of white paper
-  Lanes print;          // and of the print, in units of that
+  Lanes power;          // reflectance by the power of gamma
+  Lanes print;          // and what the tone curve makes of it: grey level of the print, in units of white's
   Lanes paper;          // share of what does not lie beyond the quiet zone
   Lanes residual;
   Lanes tells;        // 0 where the model is brighter than what the sensor can tell, else 1
@@ -130,7 +161,11 @@ inline GreyLanes greyOf(const PixelBlock &block, const SurroundLanes *surround, 
   grey.white = static_cast<float>(photometry.white) * (gamma * grey.logLight).exp();
   grey.reflectance = (1.f - static_cast<float>(photometry.absorption) * darkness).max(static_cast<float>(leastLight));
   grey.logReflectance = grey.reflectance.log();
-  grey.print = (gamma * grey.logReflectance).exp();
+  grey.power = (gamma * grey.logReflectance).exp();
+  grey.print = grey.power;
+  if (photometry.toneCurve) {
+    grey.print += toneOf(grey.power, inkOf(photometry), *photometry.toneCurve).added;
+  }
   grey.residual = block.grey - grey.white * grey.print;
   grey.paper.setOnes();
   if (surround != nullptr) {
@@ -156,7 +191,17 @@ inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const 
                   const DarknessLanes &darkness, const GreyLanes &grey, RowLanes &row)
 {
   const auto gamma = static_cast<float>(photometry.gamma);
-  const Lanes byLogReflectance = gamma * grey.white * grey.print;
+  Lanes byLogReflectance = gamma * grey.white * grey.power;
+  Lanes byInk = Lanes::Zero(); // what its print has besides by the curve
+  if (photometry.toneCurve) {
+    const ToneLanes tone = toneOf(grey.power, inkOf(photometry), *photometry.toneCurve);
+    byLogReflectance *= 1.f + tone.byPrint;
+    byInk = grey.white * tone.byBlack;
+    row[toneAt] = grey.white * tone.byCurve;
+    for (std::size_t k = 0; k < shadowSize; ++k) {
+      row[shadowAt + k].setZero(); // unless there is one
+    }
+  }
   const Lanes byReflectance = byLogReflectance * grey.reflectance.inverse();
   const Lanes byDarkness = -static_cast<float>(photometry.absorption) * byReflectance;
   for (std::size_t k = 0; k < poseSize; ++k) {
@@ -177,6 +222,12 @@ inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const 
   row[gradientAt + 1] = byLight * block.offsetV;
   row[absorptionAt] = -byReflectance * darkness.value;
   row[gammaAt] = byLogReflectance * grey.logReflectance + byLogLight * grey.logLight;
+  if (photometry.toneCurve) {
+    const double ink = inkOf(photometry);
+    const double left = std::max(1. - photometry.absorption, leastLight);
+    row[absorptionAt] -= static_cast<float>(photometry.gamma * ink / left) * byInk;
+    row[gammaAt] += static_cast<float>(ink * std::log(ink)) * byInk;
+  }
   row[sigmaAt] = byDarkness * darkness.bySigma;
   row[elongationAt] = byDarkness * darkness.byElongation[0];
   row[elongationAt + 1] = byDarkness * darkness.byElongation[1];

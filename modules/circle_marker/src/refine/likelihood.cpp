@@ -44,6 +44,10 @@ constexpr double wideBlur = 1.;
 constexpr double mostOverExposed = 0.05;
 // Ink spreads by some 0.1 mm, radii of markers are some 30 to 100 mm.
 constexpr double spreadPrior = 0.003;
+// Curves of cameras that raise the contrast have -0.5 to 0.3. And beyond such a curve's first terms half-way between
+// ink and paper lies beside where the model has it, by this share of the blur.
+constexpr double tonePrior = 0.5;
+constexpr double lackingOfCurve = 0.1;
 // A sheet of 300 mm that is bowed by 2 mm has heights of 0.008 of the outer radius of its marker of 90 mm, and paper is
 // bowed by more.
 constexpr double bendPrior = 0.02;
@@ -194,7 +198,8 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks, m_settings.bend);
   SurroundModel beyond(plane, m_pattern.paper, photometry, m_memory.blocks, m_settings.bend);
   Equations equations;
-  equations.used = photometry.shadow                   ? parameters
+  equations.used = photometry.toneCurve                ? parameters
+                   : photometry.shadow                 ? toneAt
                    : m_settings.bend                   ? shadowAt
                    : m_memory.blocks.surrounds.empty() ? surroundAt
                                                        : bendAt;
@@ -269,13 +274,22 @@ void Likelihood::evaluate(const MarkerPlane &plane, const Photometry &photometry
   });
 }
 
+// Standard deviation of the ink's spread, outer radii; behind a tone curve with that of what it lacks.
+double Likelihood::spreadPriorOf(const MarkerPlane &plane, const Photometry &photometry) const
+{
+  const double pixel = m_memory.blocks.reference.unit * plane.center.z() / plane.radius;
+  return photometry.toneCurve ? std::hypot(spreadPrior, lackingOfCurve * photometry.blur.widest() * pixel)
+                              : spreadPrior;
+}
+
 double Likelihood::priorCost(const MarkerPlane &plane, const Photometry &photometry, double noise) const
 {
   const double u =
       m_settings.gammaAndSpread && !m_isOverExposed ? std::log(photometry.gamma) / gammaPriorAt(photometry.blur) : 0.;
-  const double v = m_settings.gammaAndSpread ? photometry.blur.spread / spreadPrior : 0.;
+  const double v = m_settings.gammaAndSpread ? photometry.blur.spread / spreadPriorOf(plane, photometry) : 0.;
+  const double t = photometry.toneCurve.value_or(0.) / tonePrior;
   const double w = (plane.bend.bow * plane.bend.bow + plane.bend.saddle.squaredNorm()) / (bendPrior * bendPrior);
-  double cost = u * u + v * v + w + cauchyCost(photometry.blur.elongation, elongationPrior) +
+  double cost = u * u + v * v + w + t * t + cauchyCost(photometry.blur.elongation, elongationPrior) +
                 cauchyCost(photometry.lightGradient, gradientPrior);
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     const double s = (photometry.surround[shape] - expectedSurround[shape]) / surroundPrior;
@@ -319,7 +333,7 @@ void Likelihood::constrain(const MarkerPlane &plane, const Photometry &photometr
     const double weight = std::pow(noise / gammaPriorAt(photometry.blur), 2.);
     equations.matrix(gammaAt, gammaAt) += weight;
     equations.right[gammaAt] -= weight * std::log(photometry.gamma);
-    const double weightOfSpread = noise * noise / (spreadPrior * spreadPrior);
+    const double weightOfSpread = std::pow(noise / spreadPriorOf(plane, photometry), 2.);
     equations.matrix(spreadAt, spreadAt) += weightOfSpread;
     equations.right[spreadAt] -= weightOfSpread * photometry.blur.spread;
   }
@@ -338,6 +352,9 @@ void Likelihood::constrain(const MarkerPlane &plane, const Photometry &photometr
     equations.matrix(bendAt + k, bendAt + k) += weight;
     equations.right[bendAt + k] -= m_settings.bend ? weight * bend[k] : 0.;
   }
+  const double weightOfTone = noise * noise / (tonePrior * tonePrior);
+  equations.matrix(toneAt, toneAt) += weightOfTone;
+  equations.right[toneAt] -= weightOfTone * photometry.toneCurve.value_or(0.);
   // Of a shadow whose edge passes beside the marker not everything is known.
   for (int k = 0; k < shadowSize; ++k) {
     equations.matrix(shadowAt + k, shadowAt + k) += noise * noise / (shadowPrior * shadowPrior);

@@ -154,6 +154,7 @@ public:
 
 private:
   Equations pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts);
+  double spreadPriorOf(const MarkerPlane &plane, const Photometry &photometry) const;
   double priorCost(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
   void constrain(const MarkerPlane &plane, const Photometry &photometry, double noise, Equations &equations) const;
 

@@ -23,13 +23,17 @@
   \f[ I = l \, (s \, (1 - a D))^\gamma, \quad s = 1 + s_u u + s_v v, \f]
   with D the share of black (image_model.h), l the grey level of white paper at the marker's centre, s the light, with a
   linear gradient, a the share of it that ink takes and \f$ \gamma \f$ the camera's gamma; where the edge of a shadow
-  falls on the marker, s falls along it. Pose, light, ink, gamma, blur, a spread of the ink common to all edges and,
-  where it is asked for, the bend of the sheet are fitted together by Levenberg-Marquardt; what the model does not
-  explain, such as an occluder, gets no weight (Tukey's biweight). Near the end of the paper a pixel sees a share of
-  what lies beyond, too: that share moves with the pose, and how the paper is cut is fitted (surround_model.h). The
-  noise is taken from the residuals, so that the covariance is right for any camera: \f$ \Sigma = s^2 (J^T W J)^{-1}
-  \f$, its rows and columns of the pose, times what fit_conclusion.h knows of pixels that share their noise, of edges
-  that are noisier than paper and of parts of the print that pull the pose apart.
+  falls on the marker, s falls along it. Where a marker leaves more than noise the camera's tone curve may be more than
+  a power, as most cameras raise the contrast and bend it where it is brightest: between ink and paper \f[ (1 - a
+  D)^\gamma \to p + \kappa (1 - b) w (1 - w) (1 - 2 w), \quad p = (1 - a D)^\gamma, \quad b = (1 - a)^\gamma, \quad w =
+  (p - b) / (1 - b), \f] the first curve beyond gamma's that keeps ink and paper as they are. Pose, light, ink, gamma,
+  blur, a spread of the ink common to all edges and, where it is asked for, the bend of the sheet are fitted together by
+  Levenberg-Marquardt; what the model does not explain, such as an occluder, gets no weight (Tukey's biweight). Near the
+  end of the paper a pixel sees a share of what lies beyond, too: that share moves with the pose, and how the paper is
+  cut is fitted (surround_model.h). The noise is taken from the residuals, so that the covariance is right for any
+  camera: \f$ \Sigma = s^2 (J^T W J)^{-1} \f$, its rows and columns of the pose, times what fit_conclusion.h knows of
+  pixels that share their noise, of edges that are noisier than paper and of parts of the print that pull the pose
+  apart.
 */
 
 #ifndef VP_CIRCLE_MARKER_MAXIMUM_LIKELIHOOD_H
@@ -50,8 +54,8 @@ namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 // Places of the parameters in vectors and matrices: twist of the pose (image_model.h), light and its gradient,
 // the ink's absorption, blur, its elongation, gamma, spread, share of the surround for each shape of the paper, how
-// the paper is cut, bend of the sheet, a shadow's factor, direction, edge and softness. Where no pixel depends on the
-// last of them only those before are worked on.
+// the paper is cut, bend of the sheet, a shadow's factor, direction, edge and softness, tone curve. Where no pixel
+// depends on the last of them only those before are worked on.
 constexpr int poseSize = 6;
 constexpr int spinAt = 5;
 constexpr int lightAt = 6;
@@ -68,7 +72,8 @@ constexpr int bendAt = paperAt + paperSize;
 constexpr int bendSize = 3;
 constexpr int shadowAt = bendAt + bendSize;
 constexpr int shadowSize = 4;
-constexpr int parameters = shadowAt + shadowSize;
+constexpr int toneAt = shadowAt + shadowSize;
+constexpr int parameters = toneAt + 1;
 using ParameterVector = Eigen::Matrix<double, parameters, 1>;
 using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
 
