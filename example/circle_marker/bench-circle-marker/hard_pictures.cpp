@@ -19,6 +19,7 @@
 
 #include "common/processed_picture.h"
 #include "common/sharpened_picture.h"
+#include "common/toned_picture.h"
 #include "common/undistorted_picture.h"
 
 namespace bench {
@@ -76,6 +77,9 @@ void processPicture(const Hardship &hardship, Scene &scene)
   }
   if (const double sigma = maskOf(hardship); sigma > 0.) {
     return common::sharpen(hardship.level, sigma, scene.image);
+  }
+  if (hardship.name == "contrast raised" || hardship.name == "gamma 0.45, contrast raised") {
+    return common::raiseContrast(hardship.level, scene.image);
   }
   const common::Processing processing = processingOf(hardship);
   common::process(processing, scene.image);

@@ -270,6 +270,9 @@ void spoil(Draft &draft, const Hardship &hardship, Random &random, vpSceneMotion
   else if (name("quiet zone")) {
     sheet = markerSize * (1. + hardship.level);
   }
+  else if (name("gamma 0.45, contrast raised")) {
+    photometry.gamma = 0.45;
+  }
   else if (name("three bars over a quarter, gamma")) {
     cover(draft, bars(random, 3), 0.25, random);
     photometry.gamma = hardship.level;
@@ -317,6 +320,9 @@ const std::vector<Hardship> &hardships()
                                      {"sharpened by 2 pixels", 0.5},
                                      {"sharpened by 2 pixels", 1.},
                                      {"sharpened by 2 pixels", 2.},
+                                     {"contrast raised", 3.},
+                                     {"contrast raised", 5.},
+                                     {"gamma 0.45, contrast raised", 4.},
                                      {"motion", 0.1},
                                      {"motion", 0.25},
                                      {"defocus", 0.08},

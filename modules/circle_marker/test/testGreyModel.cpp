@@ -61,7 +61,23 @@ TEST(GreyModel, GammaIsOfAllTheLight)
   EXPECT_NEAR(greyAt(photometry, Eigen::Vector2d(0.5, 0.3), 0.5), 200. * 1.2 * 0.6, 1e-3);
 }
 
-// Light, its gradient, ink, gamma and a shadow, each against central differences along a step of the fit.
+// Ink and paper are what they were; half-way between them it is as well, and a quarter above ink less by
+// 0.5 * 0.75 * 0.25 * 0.75 * 0.5 of the step between both.
+TEST(GreyModel, ToneCurveIsAnSBetweenInkAndPaper)
+{
+  Photometry photometry;
+  photometry.white = 200.;
+  photometry.absorption = 0.75; // grey levels 50 to 200
+  const Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  photometry.toneCurve = -0.5;
+  EXPECT_NEAR(greyAt(photometry, center, 0.), 200., 1e-3);
+  EXPECT_NEAR(greyAt(photometry, center, 1.), 50., 1e-3);
+  EXPECT_NEAR(greyAt(photometry, center, 0.5), 125., 1e-3);
+  EXPECT_NEAR(greyAt(photometry, center, 0.75), 87.5 - 0.5 * 150. * 0.25 * 0.75 * 0.5, 1e-3);
+  EXPECT_NEAR(greyAt(photometry, center, 0.25), 162.5 + 0.5 * 150. * 0.25 * 0.75 * 0.5, 1e-3);
+}
+
+// Light, its gradient, ink, gamma, tone curve and a shadow, each against central differences along a step of the fit.
 TEST(GreyModel, DerivativesByTheLightAgreeWithDifferences)
 {
   Random random = randomOfTest();
@@ -70,6 +86,9 @@ TEST(GreyModel, DerivativesByTheLightAgreeWithDifferences)
     if (i % 2 == 1) {
       photometry.shadow = Shadow{uniform(random, 0.3, 0.8), uniform(random, -M_PI, M_PI), uniform(random, -0.5, 0.5),
                                  uniform(random, 0.1, 0.4)};
+    }
+    if (i % 3 == 0) {
+      photometry.toneCurve = uniform(random, -0.6, 0.6);
     }
     const Eigen::Vector2d offset(uniform(random, -1., 1.), uniform(random, -1., 1.));
     const double black = uniform(random, 0., 1.);
@@ -95,6 +114,9 @@ TEST(GreyModel, DerivativesByTheLightAgreeWithDifferences)
     std::vector<int> sought = {lightAt, gradientAt, gradientAt + 1, absorptionAt, gammaAt};
     for (int k = 0; photometry.shadow && k < shadowSize; ++k) {
       sought.push_back(shadowAt + k);
+    }
+    if (photometry.toneCurve) {
+      sought.push_back(toneAt);
     }
     const auto after = [&](int parameter, double step) {
       ParameterVector steps = ParameterVector::Zero();

@@ -60,10 +60,13 @@ Searched searchedIn(const vpImage<unsigned char> &I, const MarkerScene &scene, d
   const auto asSeen = measure(I, camera, marker, true, memory, Deadline(), ImageNoise{noise, 1., false});
   marker.asSeen = &I;
   vpImage<unsigned char> restored;
-  const auto behind = [&](const UnsharpMask &mask, const FittedPose *) -> std::optional<FitBehind> {
+  const FittedPose *around = asSeen ? &asSeen->first : nullptr;
+  const auto behind = [&](const UnsharpMask &mask, const FittedPose *nearest) -> std::optional<FitBehind> {
     undo(mask, I, cv::Rect(0, 0, side, side), Deadline(), restored);
     const ImageNoise white = {noise / (1. + mask.amount), 1., false};
-    const auto fit = measureInOneLook(restored, camera, marker, memory, Deadline(), white);
+    const auto fit = around != nullptr && nearest != nullptr
+                         ? measureNearby(restored, camera, marker, *around, *nearest, memory, Deadline(), white)
+                         : measureInOneLook(restored, camera, marker, memory, Deadline(), white);
     return fit ? std::make_optional(FitBehind{*fit, memory.pixels.size()}) : std::nullopt;
   };
   FittedPose start;

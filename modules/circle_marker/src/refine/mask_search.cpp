@@ -111,6 +111,10 @@ MaskSearch::MaskSearch(const FittedPose &start, Known known, double noise, Measu
 {
   if (known != Known::NOTHING) {
     m_nearest = start;
+    m_nearest->photometry.toneCurve.reset(); // it would stand for a part of a mask
+  }
+  if (start.photometry.toneCurve) {
+    m_toned = start;
   }
 }
 
@@ -128,12 +132,13 @@ std::optional<SearchedMask> MaskSearch::run()
       break;
     }
   }
-  if (!isBetterThanNone()) {
+  const double rival = std::min(none, leftByTone());
+  const Trial &best = m_trials[m_best];
+  if (!isBetterThanNone() || best.left > clearlyLess * rival) {
     return std::nullopt;
   }
   SearchedMask found = result();
-  const Trial &best = m_trials[m_best];
-  found.gain = 0.5 * best.pixels * std::log(none / best.left);
+  found.gain = 0.5 * best.pixels * std::log(rival / best.left);
   return found;
 }
 
@@ -158,6 +163,13 @@ bool MaskSearch::isLikelierBehindAny()
   return std::any_of(weakMasks.begin(), weakMasks.end(), [this](const UnsharpMask &mask) {
     return leftAt(strengthOf(mask), std::log(mask.sigma)) < m_trials[0].left;
   });
+}
+
+// What is left in the image as it is by the tone curve that was measured in it; HUGE_VAL if there was none.
+double MaskSearch::leftByTone() const
+{
+  const auto toned = m_toned ? m_measureBehind(maskAt(Eigen::Vector2d::Zero()), &*m_toned) : std::nullopt;
+  return toned ? std::pow(unexplainedBy(toned->fit), 2.) : HUGE_VAL;
 }
 
 // Whether the best mask leaves hardly more than noise.
@@ -239,6 +251,7 @@ double MaskSearch::tryAt(const Eigen::Vector2d &place)
   if (!m_nearest || trial.left < m_trials[m_best].left) {
     m_best = m_trials.size() - 1;
     m_nearest = fit;
+    m_nearest->photometry.toneCurve.reset();
     m_white = fit.photometry.white;
     m_ink = m_white * (1. - fit.photometry.contrast());
   }

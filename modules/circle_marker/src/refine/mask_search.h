@@ -119,6 +119,7 @@ private:
   double tryAt(const Eigen::Vector2d &place);
   void searchFrom(const UnsharpMask &start);
   bool isLikelierBehindAny();
+  double leftByTone() const;
   bool isExplained() const;
   bool isBetterThanNone() const;
   bool isOver() const;
@@ -138,6 +139,7 @@ private:
   MeasureBehind m_measureBehind;
   Few<Trial, mostTrials> m_trials;
   std::optional<FittedPose> m_nearest; // where the marker was measured in the best of them
+  std::optional<FittedPose> m_toned;   // the start, if it has a tone curve
   std::size_t m_best = 0;              // of the trials
   double m_white;                      // grey level of paper beside the marker,
   double m_ink;                        // and of its ink

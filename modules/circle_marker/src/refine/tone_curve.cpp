@@ -37,6 +37,8 @@ constexpr double muchOfBlur = 0.1;
 // Log-odds by which a curve explains the pixels better than none. Two more numbers do by 8 of their own accord once in
 // 3000 markers.
 constexpr double leastGain = 2.;
+// A weaker curve is none: what it explains is the spread of ink, of which less is said where there is a curve.
+constexpr double leastCurve = 0.05;
 } // namespace
 
 bool mayHaveToneCurve(const FittedPose &fit, double size, double noise)
@@ -65,7 +67,8 @@ RankedFits fitToneCurve(const std::vector<FitPixel> &pixels, const RankedFits &f
   const auto isWithout = [](const FittedPose &fit) { return !fit.photometry.toneCurve; };
   FittedPose *const last = std::find_if(ranked.fits.begin(), ranked.fits.end(), isWithout);
   const FittedPose &best = ranked.fits[0];
-  if (last == ranked.fits.end() || last == ranked.fits.begin() ||
+  const bool isCurve = best.photometry.toneCurve && *best.photometry.toneCurve < -leastCurve;
+  if (last == ranked.fits.end() || !isCurve ||
       costOf(last->squares - best.squares, ranked.noise, best.sharing) / best.edgeNoise < leastGain) {
     return fits;
   }
