@@ -152,9 +152,13 @@ RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDou
   }
   if (settings.gammaAndSpread && !ranked.fits[0].photometry.shadow &&
       (pattern.sectors == 0 || mayHaveToneCurve(ranked.fits[0], view.frame.size, settings.noise.sigma))) {
-    ranked = fitToneCurve(memory.pixels, ranked, pattern, settings, *memory.fitter);
+    const RankedFits toned = fitToneCurve(memory.pixels, ranked, pattern, settings, *memory.fitter);
+    const bool hasCode = pattern.sectors > 0;
+    if (isExplained(toned.fits[0], view, hasCode, true) || !isExplained(ranked.fits[0], view, hasCode, true)) {
+      ranked = toned;
+    }
   }
-  if (ranked.fits.empty() || pattern.sectors == 0) {
+  if (pattern.sectors == 0) {
     return ranked;
   }
   if (marker.isCertain && mayBeTurned(ranked.fits[0])) {
