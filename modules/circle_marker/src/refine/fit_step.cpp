@@ -33,10 +33,9 @@ constexpr double mostSigma = 20.;
 // Cameras' gamma lies between 0.4 and 2.4.
 constexpr double leastGamma = 0.3;
 constexpr double mostGamma = 3.3;
-// Grey levels rise with the light on curves between -1 and 2. Those of cameras are negative; positive ones would explain
-// halos that are cut off at black and white.
+// Grey levels rise with the light on tone curves between -1 and 2.
 constexpr double leastToneCurve = -0.9;
-constexpr double mostToneCurve = 0.;
+constexpr double mostToneCurve = 1.8;
 // What a shadow leaves of the light, and the softness of its edge, in units of the marker's size.
 constexpr double mostFactor = 1.;
 constexpr double leastSoftness = 0.003;

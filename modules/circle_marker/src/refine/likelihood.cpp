@@ -44,7 +44,7 @@ constexpr double wideBlur = 1.;
 constexpr double mostOverExposed = 0.05;
 // Ink spreads by some 0.1 mm, radii of markers are some 30 to 100 mm.
 constexpr double spreadPrior = 0.003;
-// Curves of cameras that raise the contrast have -0.5 to 0.3. And beyond such a curve's first terms half-way between
+// Curves of cameras that raise the contrast have 0 to -0.6. And beyond such a curve's first terms half-way between
 // ink and paper lies beside where the model has it, by this share of the blur.
 constexpr double tonePrior = 0.5;
 constexpr double lackingOfCurve = 0.1;
