@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"
 #include "support/sensor_range.h"
 #include "outer_edge.h"
@@ -57,8 +56,7 @@ constexpr double leastGain = 10.;
 bool isTooMuchLeft(const FittedPose &fit, std::size_t pixels, double noise)
 {
   const double most = muchLeft + byChance * std::sqrt(fit.sharing / static_cast<double>(pixels));
-  return unexplainedBy(fit) >
-         std::hypot(most * std::max(noise, quantisation), lacking * fit.photometry.tellableContrast());
+  return fit.noise > std::hypot(most * std::max(noise, quantisation), lacking * fit.photometry.tellableContrast());
 }
 
 // Noise behind a mask: of the highest frequencies, by which a marker is measured.
@@ -128,6 +126,7 @@ bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const EllipseC
   std::optional<FittedPose> around; // where it was measured first: around its edges pixels are chosen
   const auto choose = [&](const FittedPose &found) {
     around = found;
+    around->photometry.toneCurve.reset();
     around->photometry.blur.sigma = std::hypot(found.photometry.blur.sigma, takenByMasks);
   };
   if (fit.measurement) {
@@ -138,16 +137,19 @@ bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const EllipseC
       return std::nullopt;
     }
     const ImageNoise noise = noiseBehind(mask, visit.noise);
-    const auto found =
-        nearest != nullptr && around
-            ? measureNearby(workspace.restored, visit.camera, there, *around, *nearest, workspace.measuring,
-                            visit.deadline, noise)
-            : measureInOneLook(workspace.restored, visit.camera, there, workspace.measuring, visit.deadline, noise);
+    if (!around || nearest == nullptr) {
+      const auto first =
+          measureInOneLook(workspace.restored, visit.camera, there, workspace.measuring, visit.deadline, noise);
+      if (!first) {
+        return std::nullopt;
+      }
+      choose(*first);
+      nearest = &*around; // once more, as all that it will be compared with
+    }
+    const auto found = measureNearby(workspace.restored, visit.camera, there, *around, *nearest, workspace.measuring,
+                                     visit.deadline, noise);
     if (!found || (fit.measurement && shiftBetween(fit.measurement->first, *found, visit.camera) > mostShift)) {
       return std::nullopt;
-    }
-    if (!around) {
-      choose(*found);
     }
     return FitBehind{*found, workspace.measuring.pixels.size()};
   };

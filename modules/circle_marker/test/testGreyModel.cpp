@@ -62,7 +62,7 @@ TEST(GreyModel, GammaIsOfAllTheLight)
 }
 
 // Ink and paper are what they were; half-way between them it is as well, and a quarter above ink less by
-// 0.5 * 0.75 * 0.25 * 0.75 * 0.5 of the step between both.
+// 0.5 * 0.25 * 0.75 * 0.5 of the step between both.
 TEST(GreyModel, ToneCurveIsAnSBetweenInkAndPaper)
 {
   Photometry photometry;

@@ -20,6 +20,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include <gtest/gtest.h>
 
 #include "testFitTools.h"
@@ -129,6 +131,30 @@ TEST(MaskSearch, FindsWhereLeastIsLeftAndHowWellThatIsKnown)
   EXPECT_NEAR(found->gain, 0.5 * pixels * std::log(none), 0.1 * found->gain);
   const double variance = depthBy.dot((0.5 * pixels * curvature).inverse() * depthBy);
   EXPECT_NEAR(std::sqrt(found->doubt(2, 2)), std::sqrt(variance), 0.15 * std::sqrt(variance));
+}
+
+// A pose and its other one, which leans as far to the other side: where one is 0.01 rad rounder, at 3 mm more, so is
+// the other, though its normal turns the other way.
+TEST(MaskSearch, TheDoubtOfTheOtherPoseIsThatOfTheSameImage)
+{
+  SearchedMask searched;
+  searched.pose.center = Eigen::Vector3d(0., 0., 1.);
+  searched.pose.radius = 0.1;
+  searched.pose.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  Eigen::Matrix<double, 6, 1> change;
+  change << 0., 0., 0.003, -0.01, 0., 0.; // against the lean
+  searched.doubt = change * change.transpose();
+  EXPECT_NEAR((searched.doubtOf(searched.pose) - searched.doubt).norm(), 0., 1e-12);
+  MarkerPlane other = searched.pose;
+  other.rotation = Eigen::AngleAxisd(-0.5, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  Eigen::Matrix<double, 6, 1> ofOther;
+  ofOther << 0., 0., 0.003, 0.01, 0., 0.;
+  EXPECT_NEAR((searched.doubtOf(other) - ofOther * ofOther.transpose()).norm(), 0., 1e-12);
+  // In another unit of length.
+  other.center *= 2.;
+  other.radius *= 2.;
+  ofOther[2] = 0.006;
+  EXPECT_NEAR((searched.doubtOf(other) - ofOther * ofOther.transpose()).norm(), 0., 1e-12);
 }
 
 TEST(MaskSearch, WhereNothingIsMeasuredThereIsNoMask)

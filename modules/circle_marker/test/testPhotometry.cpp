@@ -62,6 +62,26 @@ TEST(Photometry, ElongationsAddUpAsCovariancesDo)
   }
 }
 
+// Ink at 0.2 of white and a curve of -0.5: a quarter of the way up from ink, by the curve 0.25 - 0.5 * 0.25 * 0.75 *
+// 0.5.
+TEST(Photometry, BlackIsToldThroughATone)
+{
+  Photometry photometry;
+  photometry.absorption = 0.8;
+  photometry.toneCurve = -0.5;
+  EXPECT_NEAR(photometry.blackOf(0.2), 1., 1e-9);
+  EXPECT_NEAR(photometry.blackOf(1.), 0., 1e-9);
+  EXPECT_NEAR(photometry.blackOf(0.6), 0.5, 1e-9);
+  EXPECT_NEAR(photometry.blackOf(0.2 + 0.8 * (0.25 - 0.5 * 0.25 * 0.75 * 0.5)), 0.75, 1e-9);
+  for (const double curve : {-0.9, -0.3, 0.}) {
+    photometry.toneCurve = curve;
+    for (double w = 0.02; w < 1.; w += 0.02) {
+      const double grey = 0.2 + 0.8 * (w + curve * w * (1. - w) * (1. - 2. * w));
+      EXPECT_NEAR(photometry.blackOf(grey), 1. - w, 1e-6) << curve;
+    }
+  }
+}
+
 TEST(Photometry, GreyLevelsAreTheLightToThePowerOfGamma)
 {
   Photometry photometry;

@@ -89,12 +89,19 @@ TEST(ToneCurve, IsSoughtWhereMoreOrLessThanNoiseIsLeftOrInkHasSpread)
 {
   constexpr double noise = 2.;
   constexpr double radius = 30.; // pixels
-  EXPECT_FALSE(mayHaveToneCurve(fitThatLeaves(noise, 0.), radius, noise));
-  EXPECT_TRUE(mayHaveToneCurve(fitThatLeaves(1.1 * noise, 0.), radius, noise));
-  EXPECT_TRUE(mayHaveToneCurve(fitThatLeaves(0.9 * noise, 0.), radius, noise));
+  constexpr std::size_t pixels = 10000;
+  const auto mayHave = [&](double left, double spread, std::size_t count) {
+    return mayHaveToneCurve(fitThatLeaves(left, spread), count, radius, noise);
+  };
+  EXPECT_FALSE(mayHave(noise, 0., pixels));
+  EXPECT_TRUE(mayHave(1.05 * noise, 0., pixels));
+  EXPECT_TRUE(mayHave(0.95 * noise, 0., pixels));
+  // Of few pixels more is chance.
+  EXPECT_FALSE(mayHave(1.05 * noise, 0., 100));
+  EXPECT_FALSE(mayHave(0.95 * noise, 0., 100));
   // A tenth of the blur of 0.7 pixels, in radii.
-  EXPECT_FALSE(mayHaveToneCurve(fitThatLeaves(noise, -0.9 * 0.07 / radius), radius, noise));
-  EXPECT_TRUE(mayHaveToneCurve(fitThatLeaves(noise, -1.1 * 0.07 / radius), radius, noise));
+  EXPECT_FALSE(mayHave(noise, -0.9 * 0.07 / radius, pixels));
+  EXPECT_TRUE(mayHave(noise, -1.1 * 0.07 / radius, pixels));
 }
 
 TEST(ToneCurve, IsToldWhereTheContrastIsRaised)

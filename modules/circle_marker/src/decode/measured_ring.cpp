@@ -47,7 +47,8 @@ double MeasuredRing::noiseOfLevel() const
   const double gamma = photometry.gamma;
   const double ink = std::max(std::pow(std::max(1. - photometry.absorption, 0.), gamma), darkestInk);
   const double slope = std::max(1., std::pow(ink, 1. / gamma - 1.)) / gamma; // of the light by the grey level
-  return noise / photometry.white * slope / photometry.absorption;
+  const double flattest = 1. + photometry.toneCurve.value_or(0.);            // slope of the tone curve at ink and paper
+  return noise / photometry.white * slope / (photometry.absorption * flattest);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -77,7 +77,29 @@ double Photometry::whiteAt(const Eigen::Vector2d &offset) const
 
 double Photometry::blackOf(double grey) const
 {
-  return (1. - std::pow(std::max(grey, 0.), 1. / gamma)) / absorption;
+  const double print = toneCurve ? beforeTone(grey) : grey;
+  return (1. - std::pow(std::max(print, 0.), 1. / gamma)) / absorption;
+}
+
+double Photometry::beforeTone(double grey) const
+{
+  const double ink = std::pow(std::max(1. - absorption, leastLight), gamma);
+  const double sought = (grey - ink) / (1. - ink);
+  if (sought <= 0. || sought >= 1.) { // beyond ink and paper the light is no print's
+    return grey;
+  }
+  // Newton's method: between both the curve rises everywhere, and from its middle, where it bends, never leaves them.
+  constexpr int steps = 12;
+  constexpr double exact = 1e-9;
+  double w = 0.5;
+  for (int step = 0; step < steps; ++step) {
+    const double off = w + *toneCurve * w * (1. - w) * (1. - 2. * w) - sought;
+    w = std::clamp(w - off / (1. + *toneCurve * (1. - 6. * w * (1. - w))), 0., 1.);
+    if (std::abs(off) < exact) {
+      break;
+    }
+  }
+  return ink + (1. - ink) * w;
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -114,6 +114,9 @@ struct Photometry
 
   /*! Share of black that a pixel sees, by its grey level over that of white. */
   double blackOf(double grey) const;
+
+  /*! The same grey level as it would be without the tone curve. */
+  double beforeTone(double grey) const;
 };
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -42,20 +42,6 @@ bool isPaper(const SheetBend &bend)
 {
   return bend.saddle.norm() < mostSaddle * std::abs(bend.bow) + saddleError;
 }
-
-// The pose that may have looked hopeless because the sheet is not flat is fitted, too.
-RankedFits withMirrored(const std::vector<FitPixel> &pixels, const RankedFits &flat, const MarkerPattern &pattern,
-                        const FitSettings &settings, Fitter &fitter)
-{
-  const FittedPose &best = flat.fits[0];
-  Few<FitStart> starts;
-  starts.push_back({mirrored(best.plane), best.photometry, flat.noise});
-  Few<FittedPose> fits = fitAll(pixels, starts, pattern, settings, fitter, best);
-  fits.push_back(best);
-  RankedFits ranked = rank(pixels, pattern, true, fits, fitter);
-  keepTwo(ranked);
-  return ranked;
-}
 } // namespace
 
 RankedFits fitBent(const std::vector<FitPixel> &pixels, const RankedFits &fits, const MarkerPattern &pattern,

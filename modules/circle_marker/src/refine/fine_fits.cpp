@@ -37,12 +37,27 @@ namespace {
 constexpr double leastSeenOfBent = 0.75;
 // Fits from the mirrored pose of the best, at most: the first may become the best, and its own mirrored pose is stuck.
 constexpr int mostTwins = 2;
+// Plain rings below this radius, pixels, are fitted without a tone curve: one of 6 pixels and a ratio of 0.5 was found
+// as that of 0.8 with one.
+constexpr double leastTonedRing = 10.;
 
 // Whether the sheet may be bent, as far as the fit can tell: where too much is covered a bend explains what covers it.
 bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
 {
   const bool isMostlySeen = !marker.seen || marker.seen->shareOfRing() > leastSeenOfBent;
   return isMostlySeen && !marker.darkness && pattern.sectors > 0;
+}
+
+// Whether a tone curve is to be fitted. One shadow is enough; and a plain ring shows too little to tell that there is a
+// curve, but of a small one it explains that it has another ratio of radii.
+bool mayBeToned(const MarkerInImage &view, const FittedPose &fit, const FitSettings &settings,
+                const MarkerPattern &pattern, const MeasureMemory &memory)
+{
+  if (!settings.gammaAndSpread || fit.photometry.shadow) {
+    return false;
+  }
+  return pattern.sectors == 0 ? view.frame.size > leastTonedRing
+                              : mayHaveToneCurve(fit, memory.pixels.size(), view.frame.size, settings.noise.sigma);
 }
 
 // Whether the mirrored pose of the best fit is another one that no fit has come to, or one in other light has. From
@@ -150,8 +165,7 @@ RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDou
   if (isInDoubt || ranked.fits.empty()) {
     return ranked;
   }
-  if (settings.gammaAndSpread && !ranked.fits[0].photometry.shadow &&
-      (pattern.sectors == 0 || mayHaveToneCurve(ranked.fits[0], view.frame.size, settings.noise.sigma))) {
+  if (mayBeToned(view, ranked.fits[0], settings, pattern, memory)) {
     const RankedFits toned = fitToneCurve(memory.pixels, ranked, pattern, settings, *memory.fitter);
     const bool hasCode = pattern.sectors > 0;
     if (isExplained(toned.fits[0], view, hasCode, true) || !isExplained(ranked.fits[0], view, hasCode, true)) {

@@ -36,7 +36,7 @@ double noiseOfSquares(const Equations &equations)
   // Of normal noise the biweight keeps this share of the mean square at its constant c:
   // (1 - 6 / c^2 + 15 / c^4) / (1 - 2 / c^2 + 3 / c^4).
   constexpr double biweightShrinkage = 0.828;
-  const double freedom = std::max(equations.kept - equations.used, 1.);
+  const double freedom = std::max(equations.kept - equations.fitted, 1.);
   return std::max(std::sqrt(equations.squares / freedom / biweightShrinkage), quantisation);
 }
 

@@ -203,6 +203,9 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
                    : m_settings.bend                   ? shadowAt
                    : m_memory.blocks.surrounds.empty() ? surroundAt
                                                        : bendAt;
+  equations.fitted = surroundAt + (m_memory.blocks.surrounds.empty() ? 0 : bendAt - surroundAt) +
+                     (m_settings.bend ? bendSize : 0) + (photometry.shadow ? shadowSize : 0) +
+                     (photometry.toneCurve ? 1 : 0);
   Sums sums(m_memory.trialSums, static_cast<std::size_t>(equations.used), formsProducts);
   m_memory.trial.clear();
   m_memory.trialSteepness.clear();
@@ -342,6 +345,7 @@ void Likelihood::constrain(const MarkerPlane &plane, const Photometry &photometr
   }
   if (!m_settings.gammaAndSpread || m_isOverExposed) {
     hold(gammaAt);
+    hold(toneAt); // with paper that is cut off it would stand for gamma
   }
   if (!m_settings.spinIsKnown) {
     hold(spinAt);

@@ -41,8 +41,9 @@ struct Equations
 {
   ParameterMatrix matrix = ParameterMatrix::Zero();
   ParameterVector right = ParameterVector::Zero();
-  int used = parameters; //!< Number of parameters, the first ones, that any pixel depends on.
-  double cost = 0.;      //!< Robust sum of squares, grey levels^2.
+  int used = parameters;   //!< Number of parameters, the first ones, that any pixel depends on,
+  int fitted = parameters; //!< and of those among them that are asked for.
+  double cost = 0.;        //!< Robust sum of squares, grey levels^2.
   //! Weighted sum of squared residuals, grey levels^2, and number of pixels, each as far as it is not taken for an
   //! outlier; of pixels that tell the noise: what the surround may add is not known well enough.
   double squares = 0.;

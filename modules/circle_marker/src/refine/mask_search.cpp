@@ -98,10 +98,14 @@ bool isAlike(const MarkerPlane &plane, const MarkerPlane &other)
 
 Eigen::Matrix<double, 6, 6> SearchedMask::doubtOf(const MarkerPlane &plane) const
 {
-  const MarkerPlane &nearest = isAlike(plane, pose) ? pose : mirrored(pose);
+  // A normal and that of the other pose, which leans to the other side of the line of sight s, turn as 2 s s^T - 1
+  // says.
+  const Eigen::Vector3d sight = pose.center.normalized();
+  const Eigen::Matrix3d same = Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d turned = isAlike(plane, pose) ? same : 2. * sight * sight.transpose() - same;
   Eigen::Matrix<double, 6, 6> there = Eigen::Matrix<double, 6, 6>::Zero();
   there.topLeftCorner<3, 3>() = plane.radius / pose.radius * Eigen::Matrix3d::Identity();
-  there.bottomRightCorner<3, 3>() = nearest.rotation * pose.rotation.transpose();
+  there.bottomRightCorner<3, 3>() = turned;
   return there * doubt * there.transpose();
 }
 

@@ -74,6 +74,7 @@ Photometry lightOf(const MeasuredRing &ring, const ImageFrame &frame)
       frame.size * slope / std::max(1. + slope.dot(frame.center - ring.frame.center), leastLight);
   photometry.absorption = told.absorption;
   photometry.gamma = told.gamma;
+  photometry.toneCurve = told.toneCurve;
   photometry.blur = told.blur;
   return photometry;
 }

@@ -95,9 +95,8 @@ std::optional<FittedPose> measureInOneLook(const vpImage<unsigned char> &I, cons
 
 /*!
   With less again, for a marker that is measured many times: one of its poses only, from where it was measured in an
-  image that is nearly the same.
-  \param around : Around whose edges pixels are chosen: for measurements that are compared they must be the same.
-  \param from : Where it was measured.
+  image that is nearly the same, on pixels around the edges of another pose: for measurements that are compared they
+  must be the same.
 */
 std::optional<FittedPose> measureNearby(const vpImage<unsigned char> &I, const CameraModel &camera,
                                         const Recognition &marker, const FittedPose &around, const FittedPose &from,

@@ -147,6 +147,19 @@ void keepTwo(RankedFits &ranked)
   ranked.fits = kept;
 }
 
+RankedFits withMirrored(const std::vector<FitPixel> &pixels, const RankedFits &ranked, const MarkerPattern &pattern,
+                        const FitSettings &settings, Fitter &fitter)
+{
+  const FittedPose &best = ranked.fits[0];
+  Few<FitStart> starts;
+  starts.push_back({mirrored(best.plane), best.photometry, ranked.noise});
+  Few<FittedPose> fits = fitAll(pixels, starts, pattern, settings, fitter, best);
+  fits.push_back(best);
+  RankedFits both = rank(pixels, pattern, true, fits, fitter);
+  keepTwo(both);
+  return both;
+}
+
 bool isSameLight(const Photometry &p, const Photometry &q)
 {
   return std::abs(p.blur.sigma - q.blur.sigma) < sameLight && std::abs(p.gamma - q.gamma) < sameGamma * p.gamma;

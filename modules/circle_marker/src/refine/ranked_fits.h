@@ -60,6 +60,18 @@ bool isSamePose(const FittedPose &p, const FittedPose &q);
 /*! Keeps the best pose and the best of those that are not the same as it. */
 void keepTwo(RankedFits &ranked);
 
+/*!
+  The best fit and the one from its mirrored pose, which may have looked hopeless before the model had all that it has
+  now.
+  \param pixels : The pixels.
+  \param ranked : The best.
+  \param pattern : The print.
+  \param settings : Of the fit.
+  \param fitter : Fits.
+*/
+RankedFits withMirrored(const std::vector<FitPixel> &pixels, const RankedFits &ranked, const MarkerPattern &pattern,
+                        const FitSettings &settings, Fitter &fitter);
+
 /*! Whether two fits stand in the same light and are equally sharp: if not, one of them is not at its minimum. */
 bool isSameLight(const Photometry &p, const Photometry &q);
 

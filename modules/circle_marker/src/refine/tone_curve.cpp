@@ -21,6 +21,7 @@
 #include <cmath>
 
 #include "refine/coarse_fits.h"
+#include "refine/fit_starts.h"
 #include "refine/pose_odds.h"
 #include "support/sensor_range.h"
 
@@ -32,6 +33,9 @@ namespace {
 constexpr double muchLeft = 1.03;
 constexpr double littleLeft = 0.97;
 constexpr double lacking = 0.001;
+constexpr double byChance = 0.7; // by the square root of the number of pixels: one standard deviation
+// Share of normal noise that is not taken for outliers: the biweight's mean.
+constexpr double keptOfNoise = 0.915;
 // And so may ink that seems to have spread by more than this share of the blur.
 constexpr double muchOfBlur = 0.1;
 // Log-odds by which a curve explains the pixels better than none. Two more numbers do by 2 of their own accord in one
@@ -42,12 +46,14 @@ constexpr double leastGain = 2.;
 constexpr double leastCurve = 0.05;
 } // namespace
 
-bool mayHaveToneCurve(const FittedPose &fit, double size, double noise)
+bool mayHaveToneCurve(const FittedPose &fit, std::size_t pixels, double size, double noise)
 {
   const Photometry &photometry = fit.photometry;
-  const double most = std::hypot(muchLeft * std::max(noise, quantisation), lacking * photometry.tellableContrast());
-  const double left = unexplainedBy(fit);
-  return left > most || left < littleLeft * noise ||
+  const double chance = byChance * std::sqrt(fit.sharing / static_cast<double>(pixels));
+  const double most =
+      std::hypot((muchLeft + chance) * std::max(noise, quantisation), lacking * photometry.tellableContrast());
+  const double left = keptOfNoise * unexplainedBy(fit);
+  return left > most || left < (littleLeft - chance) * noise ||
          std::abs(photometry.blur.spread) * size > muchOfBlur * photometry.blur.widest();
 }
 
@@ -76,7 +82,7 @@ RankedFits fitToneCurve(const std::vector<FitPixel> &pixels, const RankedFits &f
   std::rotate(last, last + 1, ranked.fits.end());
   ranked.fits.pop_back();
   keepTwo(ranked);
-  return ranked;
+  return ranked.fits.size() > 1 ? ranked : withMirrored(pixels, ranked, pattern, settings, fitter);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

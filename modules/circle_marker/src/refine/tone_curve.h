@@ -18,8 +18,8 @@
 
   Most cameras raise the contrast, and bend the curve where it is brightest. Blurred edges are then no Gaussian's: black
   looks larger or smaller by a part of the blur, and that was taken for the depth. The curve between ink and paper has a
-  parameter of its own (maximum_likelihood.h), but only where a marker leaves more than noise or its ink seems to have
-  spread: on others it would cost precision and time.
+  parameter of its own (maximum_likelihood.h), but only where a marker leaves more or less than noise or its ink seems
+  to have spread: on others it would cost precision and time. Plain rings show too little of it: all are fitted with it.
 */
 
 #ifndef VP_CIRCLE_MARKER_TONE_CURVE_H
@@ -32,10 +32,11 @@ namespace circle_marker {
 /*!
   Whether a fit may have missed a tone curve.
   \param fit : The fit.
+  \param pixels : Number of its pixels.
   \param size : Radius of the marker, pixels.
   \param noise : Of the image, standard deviation, grey levels.
 */
-bool mayHaveToneCurve(const FittedPose &fit, double size, double noise);
+bool mayHaveToneCurve(const FittedPose &fit, std::size_t pixels, double size, double noise);
 
 /*!
   Fits both poses with a tone curve.
