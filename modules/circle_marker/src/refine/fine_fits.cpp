@@ -49,11 +49,14 @@ bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
 }
 
 // Whether a tone curve is to be fitted. One shadow is enough; and a plain ring shows too little to tell that there is a
-// curve, but of a small one it explains that it has another ratio of radii.
+// curve, but of a small one it explains that it has another ratio of radii. A code that had to be corrected,
+// or of which a part is covered, is compared with others, which are fitted without: with a curve prints of no codeword
+// were taken for the nearest one.
 bool mayBeToned(const MarkerInImage &view, const FittedPose &fit, const FitSettings &settings,
                 const MarkerPattern &pattern, const MeasureMemory &memory)
 {
-  if (!settings.gammaAndSpread || fit.photometry.shadow) {
+  const bool isCorrected = view.marker.hasCode() && view.marker.code.hamming > 0;
+  if (!settings.gammaAndSpread || fit.photometry.shadow || view.marker.seen || isCorrected) {
     return false;
   }
   return pattern.sectors == 0 ? view.frame.size > leastTonedRing
