@@ -78,7 +78,7 @@ struct Shadow
   double leavesAt(const Eigen::Vector2d &offset) const;
 };
 
-/*! Light, ink and blur of a marker's image, and the camera's gamma: grey levels are the light to that power. */
+/*! Light, ink and blur of a marker's image, and the camera's gamma, the power of the light that grey levels are. */
 struct Photometry
 {
   double white = 200.; //!< Grey level of white paper at the marker's centre, if no shadow fell on it.

@@ -21,7 +21,6 @@
 #include <cmath>
 
 #include "refine/coarse_fits.h"
-#include "refine/fit_starts.h"
 #include "refine/pose_odds.h"
 #include "support/sensor_range.h"
 

@@ -19,7 +19,8 @@
   Most cameras raise the contrast, and bend the curve where it is brightest. Blurred edges are then no Gaussian's: black
   looks larger or smaller by a part of the blur, and that was taken for the depth. The curve between ink and paper has a
   parameter of its own (maximum_likelihood.h), but only where a marker leaves more or less than noise or its ink seems
-  to have spread: on others it would cost precision and time. Plain rings show too little of it: all are fitted with it.
+  to have spread: on others it would cost precision and time. Plain rings show too little of it:
+  from a radius of 10 pixels on all are fitted with it, and the curve is taken if it explains more.
 */
 
 #ifndef VP_CIRCLE_MARKER_TONE_CURVE_H
