@@ -107,8 +107,8 @@ struct NamedCurve
 };
 } // namespace
 
-// Taken for a power of the light, all but the first two of these curves had means of 2 to 9 here, or nearly; and of small
-// rings through the fourth two in five were refused.
+// Taken for a power of the light, all but the first two of these curves had means of 2 to 9 here, or nearly; and of
+// small rings through the fourth two in five were refused.
 TEST(DetectorToneCurve, MarkersAreMeasuredThroughAnyOfCameras)
 {
   Random random = randomOfTest();
