@@ -17,6 +17,8 @@
 
 #include "detector_scenes.h"
 
+#include <array>
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
@@ -152,6 +154,72 @@ double mahalanobis(const vpHomogeneousMatrix &truth, const vpHomogeneousMatrix &
   const Eigen::MatrixXd correlation = sigma.cwiseInverse().asDiagonal() * used * sigma.cwiseInverse().asDiagonal();
   const Eigen::VectorXd standardised = e.cwiseQuotient(sigma);
   return standardised.dot(correlation.inverse() * standardised);
+}
+
+namespace {
+// Of t_z = v_z + (w x C)_z.
+double depthVariance(const vpCircleMarkerDetection &detection)
+{
+  const Eigen::Vector3d C = translationOf(detection.cMo);
+  const std::array<double, 6> by = {0., 0., 1., C.y(), -C.x(), 0.};
+  double variance = 0.;
+  for (unsigned int row = 0; row < 6; ++row) {
+    for (unsigned int column = 0; column < 6; ++column) {
+      variance += by[row] * by[column] * detection.covariance[row][column];
+    }
+  }
+  return variance;
+}
+} // namespace
+
+Honesty honestyOf(const HonestyScenes &scenes, Random &random)
+{
+  vpDetectorCircleMarker detector(scenes.family);
+  detector.setZAlignedWithCameraAxis(true);
+  Honesty honesty;
+  for (unsigned int i = 0; i < scenes.images; ++i) {
+    const double tilt = uniform(random, 0.2, 1.);
+    const double diameter = uniform(random, scenes.diameters.first, scenes.diameters.second);
+    const vpHomogeneousMatrix truth = randomPose(random, diameter, tilt);
+    vpScenePhotometry photometry;
+    photometry.noiseSigma = scenes.noise;
+    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
+    simulator.setPhotometry(photometry);
+    simulator.setBackground(vpSceneBackground::plain(uniform(random, 80., 200.)));
+    const int id = randomId(random, scenes.family);
+    simulator.addMarker(printed(scenes.family, id).setPose(truth));
+    vpImage<unsigned char> I;
+    simulator.render(I, random());
+    scenes.process(I, random);
+    std::vector<vpHomogeneousMatrix> cMo;
+    if (!detector.detect(I, size, scenes.camera, cMo)) {
+      continue;
+    }
+    const vpCircleMarkerDetection &detection = detector.getDetections()[0];
+    if (detection.id != id) {
+      ++honesty.others;
+      continue;
+    }
+    const Eigen::Vector3d normal = rotationOf(truth).col(2);
+    if (rotationOf(detection.cMo).col(2).dot(normal) < std::cos(0.15)) {
+      ++honesty.mirrored;
+      honesty.wrongOdds = std::max(honesty.wrongOdds, detection.logOdds);
+      continue;
+    }
+    ++honesty.found;
+    honesty.squared += mahalanobis(truth, detection.cMo, detection.covariance, detection.dof) / detection.dof;
+    honesty.bias += (detection.cMo[2][3] - truth[2][3]) / std::sqrt(depthVariance(detection));
+  }
+  honesty.squared /= std::max(honesty.found, 1u);
+  honesty.bias /= std::max(honesty.found, 1u);
+  return honesty;
+}
+
+std::string Honesty::text() const
+{
+  return std::to_string(squared) + ", bias of the depth " + std::to_string(bias) + ", found " + std::to_string(found) +
+         ", mirrored " + std::to_string(mirrored) + " with odds to " + std::to_string(wrongOdds) + ", as others " +
+         std::to_string(others);
 }
 
 double differenceOf(const vpHomogeneousMatrix &a, const vpHomogeneousMatrix &b)

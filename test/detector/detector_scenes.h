@@ -20,7 +20,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -84,6 +86,36 @@ vpImage<unsigned char> imageOf(const vpSimulatedMarker &marker, Random &random);
 */
 double mahalanobis(const vpHomogeneousMatrix &truth, const vpHomogeneousMatrix &estimate, const vpMatrix &covariance,
                    unsigned int freedom);
+
+//! How true the covariance of single markers is, each in a picture of its own.
+struct Honesty
+{
+  //! As it is recorded.
+  std::string text() const;
+
+  double squared = 0.;       // mean Mahalanobis distance^2 by degrees of freedom
+  double bias = 0.;          // mean error of the depth, standard deviations
+  unsigned int found = 0;    // where they are
+  unsigned int mirrored = 0; // their other pose, which is not counted in what is above
+  unsigned int others = 0;   // as another marker
+  double wrongOdds = 0.;     // greatest log-odds of a mirrored pose
+};
+
+//! The markers, and their pictures.
+struct HonestyScenes
+{
+  explicit HonestyScenes(const vpCircleMarkerFamily &ofFamily) : family(ofFamily) {}
+
+  vpCircleMarkerFamily family;
+  std::pair<double, double> diameters = {40., 110.}; // on the sensor, least and greatest, pixels
+  double noise = 1.5;                                // grey levels
+  unsigned int images = 40;
+  //! What becomes of a picture between the sensor and the detector, and the camera that it is of then.
+  std::function<void(vpImage<unsigned char> &I, Random &random)> process = [](vpImage<unsigned char> &, Random &) {};
+  vpCameraParameters camera = straightCamera();
+};
+
+Honesty honestyOf(const HonestyScenes &scenes, Random &random);
 
 //! What a squared Mahalanobis distance exceeds as seldom as a normal variable 5 standard deviations: 5.7e-7.
 inline double fiveSigma(unsigned int freedom)

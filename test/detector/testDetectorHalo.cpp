@@ -29,48 +29,15 @@ using namespace detector_test;
 using sharpening_test::sharpened;
 
 namespace {
-struct Honesty
-{
-  double squared = 0.; // mean Mahalanobis distance^2 by degrees of freedom
-  unsigned int found = 0;
-  double wrongOdds = 0.; // greatest log-odds of a pose that is the mirrored one
-};
-
-constexpr int images = 40;
-
 //! diameters: least and greatest, pixels.
-Honesty honestyOf(const vpCircleMarkerFamily &family, double amount, double sigma, Random &random,
-                  const std::pair<double, double> &diameters = {40., 110.})
+Honesty sharpenedHonesty(const vpCircleMarkerFamily &family, double amount, double sigma, Random &random,
+                         const std::pair<double, double> &diameters = {40., 110.})
 {
-  vpDetectorCircleMarker detector(family);
-  detector.setZAlignedWithCameraAxis(true);
-  Honesty honesty;
-  for (int i = 0; i < images; ++i) {
-    const vpHomogeneousMatrix truth =
-        randomPose(random, uniform(random, diameters.first, diameters.second), uniform(random, 0.2, 1.));
-    vpScenePhotometry photometry;
-    photometry.noiseSigma = 1.;
-    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
-    simulator.setPhotometry(photometry);
-    simulator.setBackground(vpSceneBackground::plain(uniform(random, 80., 200.)));
-    simulator.addMarker(printed(family, randomId(random, family)).setPose(truth));
-    vpImage<unsigned char> I;
-    simulator.render(I, random());
-    std::vector<vpHomogeneousMatrix> cMo;
-    if (!detector.detect(sharpened(I, amount, sigma), size, straightCamera(), cMo)) {
-      continue;
-    }
-    const vpCircleMarkerDetection &detection = detector.getDetections()[0];
-    const Eigen::Vector3d normal = rotationOf(truth).col(2);
-    if (rotationOf(detection.cMo).col(2).dot(normal) < std::cos(0.15)) {
-      honesty.wrongOdds = std::max(honesty.wrongOdds, detection.logOdds);
-      continue;
-    }
-    ++honesty.found;
-    honesty.squared += mahalanobis(truth, detection.cMo, detection.covariance, detection.dof) / detection.dof;
-  }
-  honesty.squared /= std::max(honesty.found, 1u);
-  return honesty;
+  HonestyScenes scenes(family);
+  scenes.diameters = diameters;
+  scenes.noise = 1.;
+  scenes.process = [&](vpImage<unsigned char> &I, Random &) { I = sharpened(I, amount, sigma); };
+  return honestyOf(scenes, random);
 }
 } // namespace
 
@@ -78,7 +45,7 @@ TEST(DetectorHalo, ImagesThatAreNotSharpened)
 {
   Random random = randomOfTest();
   for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING}) {
-    const Honesty honesty = honestyOf(type, 0., 1., random);
+    const Honesty honesty = sharpenedHonesty(type, 0., 1., random);
     EXPECT_EQ(honesty.found, 40u);
     EXPECT_LT(honesty.squared, 1.3);
     EXPECT_GT(honesty.squared, 0.75) << "the covariance is no larger for it";
@@ -99,13 +66,7 @@ Sharpened sharpenedBy(vpCircleMarkerFamily::vpType type, double amount, double s
   const vpCircleMarkerFamily family(type);
   std::ostringstream what;
   what << family.getName() << " of " << diameters.first << " pixels, " << amount << " times, " << sigma << " pixels";
-  return {honestyOf(family, amount, sigma, random, diameters), what.str()};
-}
-
-std::string recorded(const Honesty &honesty)
-{
-  return std::to_string(honesty.squared) + ", found " + std::to_string(honesty.found) + ", odds " +
-         std::to_string(honesty.wrongOdds);
+  return {sharpenedHonesty(family, amount, sigma, random, diameters), what.str()};
 }
 } // namespace
 
@@ -118,7 +79,7 @@ TEST(DetectorHalo, SharpenedImagesAreMeasuredAsOthers)
   for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING}) {
     for (const auto &[amount, sigma] : {std::pair<double, double>(1., 1.), {1., 2.}, {2., 2.}}) {
       const auto [honesty, what] = sharpenedBy(type, amount, sigma, random, {40., 110.});
-      RecordProperty(what, recorded(honesty));
+      RecordProperty(what, honesty.text());
       EXPECT_LT(honesty.squared, 1.5) << what;
       EXPECT_GE(honesty.found, 36u) << what;
       EXPECT_LT(honesty.wrongOdds, 5.) << what;
@@ -132,13 +93,13 @@ TEST(DetectorHalo, SoAreSmallMarkersInSharpenedImages)
   Random random = randomOfTest();
   for (const auto &[amount, sigma] : {std::pair<double, double>(0.5, 1.), {1., 1.}, {0.5, 2.}, {1., 2.}}) {
     const auto [honesty, what] = sharpenedBy(vpCircleMarkerFamily::GOLAY23, amount, sigma, random, {20., 40.});
-    RecordProperty(what, recorded(honesty));
+    RecordProperty(what, honesty.text());
     EXPECT_LT(honesty.squared, 1.5) << what;
     EXPECT_GE(honesty.found, 38u) << what;
     EXPECT_LT(honesty.wrongOdds, 5.) << what;
   }
   const auto [honesty, what] = sharpenedBy(vpCircleMarkerFamily::RING, 1., 1., random, {20., 40.});
-  RecordProperty(what, recorded(honesty));
+  RecordProperty(what, honesty.text());
   EXPECT_LT(honesty.squared, 1.5) << what;
   EXPECT_GE(honesty.found, 38u) << what;
 }

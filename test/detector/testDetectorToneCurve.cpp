@@ -23,19 +23,13 @@
 #include <string>
 #include <utility>
 
+#include "common/toned_picture.h"
 #include "detector_scenes.h"
 
 using namespace detector_test;
 
 namespace {
 using ToneCurve = std::function<double(double)>; // from light to grey level, shares of the most
-
-//! From 0 to 1 as well, steeper in the middle.
-double contrastRaised(double share, double strength)
-{
-  const auto logistic = [strength](double x) { return 1. / (1. + std::exp(-strength * (x - 0.5))); };
-  return (logistic(share) - logistic(0.)) / (logistic(1.) - logistic(0.));
-}
 
 double sRgb(double light)
 {
@@ -59,47 +53,6 @@ vpImage<unsigned char> through(const ToneCurve &curve, const vpImage<unsigned ch
   return result;
 }
 
-struct Honesty
-{
-  double squared = 0.; // mean Mahalanobis distance^2 by degrees of freedom
-  unsigned int found = 0;
-};
-
-constexpr unsigned int images = 40;
-
-//! diameters: least and greatest, pixels.
-Honesty honestyOf(const vpCircleMarkerFamily &family, const ToneCurve &curve,
-                  const std::pair<double, double> &diameters, Random &random)
-{
-  vpDetectorCircleMarker detector(family);
-  detector.setZAlignedWithCameraAxis(true);
-  Honesty honesty;
-  for (unsigned int i = 0; i < images; ++i) {
-    const vpHomogeneousMatrix truth =
-        randomPose(random, uniform(random, diameters.first, diameters.second), uniform(random, 0.2, 1.));
-    vpScenePhotometry photometry;
-    photometry.noiseSigma = 1.5;
-    vpMarkerSceneSimulator simulator(straightCamera(), width, height);
-    simulator.setPhotometry(photometry);
-    simulator.setBackground(vpSceneBackground::plain(uniform(random, 80., 200.)));
-    simulator.addMarker(printed(family, randomId(random, family)).setPose(truth));
-    vpImage<unsigned char> I;
-    simulator.render(I, random());
-    std::vector<vpHomogeneousMatrix> cMo;
-    if (!detector.detect(through(curve, I, random), size, straightCamera(), cMo)) {
-      continue;
-    }
-    const vpCircleMarkerDetection &detection = detector.getDetections()[0];
-    if (rotationOf(detection.cMo).col(2).dot(Eigen::Vector3d(rotationOf(truth).col(2))) < std::cos(0.15)) {
-      continue;
-    }
-    ++honesty.found;
-    honesty.squared += mahalanobis(truth, detection.cMo, detection.covariance, detection.dof) / detection.dof;
-  }
-  honesty.squared /= std::max(honesty.found, 1u);
-  return honesty;
-}
-
 struct NamedCurve
 {
   const char *name;
@@ -112,21 +65,25 @@ struct NamedCurve
 TEST(DetectorToneCurve, MarkersAreMeasuredThroughAnyOfCameras)
 {
   Random random = randomOfTest();
-  const NamedCurve curves[] = {{"linear", [](double light) { return light; }},
-                               {"sRGB", sRgb},
-                               {"contrast raised", [](double light) { return contrastRaised(light, 5.); }},
-                               {"sRGB, contrast raised", [](double light) { return contrastRaised(sRgb(light), 4.); }},
-                               {"film", asOfFilm}};
+  const NamedCurve curves[] = {
+      {"linear", [](double light) { return light; }},
+      {"sRGB", sRgb},
+      {"contrast raised", [](double light) { return common::contrastRaised(light, 5.); }},
+      {"sRGB, contrast raised", [](double light) { return common::contrastRaised(sRgb(light), 4.); }},
+      {"film", asOfFilm}};
   for (const auto type : {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::RING}) {
     for (const std::pair<double, double> &diameters : {std::make_pair(20., 40.), {40., 110.}}) {
       for (const NamedCurve &curve : curves) {
         const vpCircleMarkerFamily family(type);
         const std::string what =
             family.getName() + " from " + std::to_string(diameters.first) + " pixels, " + curve.name;
-        const Honesty honesty = honestyOf(family, curve.curve, diameters, random);
-        RecordProperty(what, std::to_string(honesty.squared) + ", found " + std::to_string(honesty.found));
+        HonestyScenes scenes(family);
+        scenes.diameters = diameters;
+        scenes.process = [&curve](vpImage<unsigned char> &I, Random &any) { I = through(curve.curve, I, any); };
+        const Honesty honesty = honestyOf(scenes, random);
+        RecordProperty(what, honesty.text());
         EXPECT_LT(honesty.squared, 1.5) << what;
-        EXPECT_GE(honesty.found, images - 2) << what;
+        EXPECT_GE(honesty.found, scenes.images - 2) << what;
       }
     }
   }

@@ -27,7 +27,7 @@ using namespace detector_test;
 
 namespace {
 // Mean squared error over variance, of depth and normal; wrong poses that are said to be right by e^10.
-struct Honesty
+struct ClosedFormErrors
 {
   double depth = 0.;
   double normal = 0.;
@@ -37,14 +37,14 @@ struct Honesty
   unsigned int right = 0; // of those found, with the right pose first
 };
 
-Honesty honestyOf(const vpCircleMarkerFamily &family, double diameter, Random &random, bool isCovered = false)
+ClosedFormErrors errorsOf(const vpCircleMarkerFamily &family, double diameter, Random &random, bool isCovered = false)
 {
   constexpr int images = 80;
   constexpr double sureOdds = 10.;
   vpDetectorCircleMarker detector(family);
   detector.setZAlignedWithCameraAxis(true);
   detector.setRefinePose(false);
-  Honesty honesty;
+  ClosedFormErrors errors;
   for (int i = 0; i < images; ++i) {
     const vpHomogeneousMatrix truth = randomPose(random, diameter, uniform(random, 0.2, 1.2));
     vpMarkerSceneSimulator simulator(straightCamera(), width, height);
@@ -66,13 +66,13 @@ Honesty honestyOf(const vpCircleMarkerFamily &family, double diameter, Random &r
     if (!detector.detect(I, size, straightCamera(), cMo)) {
       continue;
     }
-    ++honesty.found;
+    ++errors.found;
     const vpCircleMarkerDetection &found = detector.getDetections()[0];
     const Eigen::Vector3d normal = rotationOf(truth).col(2);
     const bool isWrong =
         found.hasSecondPose && rotationOf(found.cMo2).col(2).dot(normal) > rotationOf(found.cMo).col(2).dot(normal);
-    honesty.sure += found.logOdds > sureOdds ? 1 : 0;
-    honesty.sureAndWrong += isWrong && found.logOdds > sureOdds ? 1 : 0;
+    errors.sure += found.logOdds > sureOdds ? 1 : 0;
+    errors.sureAndWrong += isWrong && found.logOdds > sureOdds ? 1 : 0;
     if (isWrong) {
       continue; // it has its own covariance, and the odds say so
     }
@@ -88,13 +88,13 @@ Honesty honestyOf(const vpCircleMarkerFamily &family, double diameter, Random &r
     const Eigen::Matrix3d R = rotationOf(cMo[0]);
     const Eigen::Vector3d turned = R.transpose() * R.col(2).cross(normal);
     const Eigen::Matrix2d turns = (R.transpose() * C.bottomRightCorner<3, 3>() * R).topLeftCorner<2, 2>();
-    honesty.depth += std::pow(truth[2][3] - cMo[0][2][3], 2.) / byDepth.dot(C * byDepth);
-    honesty.normal += turned.head<2>().dot(turns.inverse() * turned.head<2>()) / 2.;
-    ++honesty.right;
+    errors.depth += std::pow(truth[2][3] - cMo[0][2][3], 2.) / byDepth.dot(C * byDepth);
+    errors.normal += turned.head<2>().dot(turns.inverse() * turned.head<2>()) / 2.;
+    ++errors.right;
   }
-  honesty.depth /= honesty.right;
-  honesty.normal /= honesty.right;
-  return honesty;
+  errors.depth /= errors.right;
+  errors.normal /= errors.right;
+  return errors;
 }
 
 // Variance of the turn about the marker's normal.
@@ -121,17 +121,17 @@ struct Kept
   unsigned int found, right, sure; // at least, of 80
 };
 
-void expectKept(const Honesty &honesty, const Kept &kept)
+void expectKept(const ClosedFormErrors &errors, const Kept &kept)
 {
   const std::string what = kept.family.getName() + " " + std::to_string(kept.diameter);
-  EXPECT_GT(honesty.depth, kept.leastDepth) << what;
-  EXPECT_LT(honesty.depth, kept.mostDepth) << what;
-  EXPECT_GT(honesty.normal, kept.leastNormal) << what;
-  EXPECT_LT(honesty.normal, kept.mostNormal) << what;
-  EXPECT_GE(honesty.found, kept.found) << what;
-  EXPECT_GE(honesty.right, kept.right) << what;
-  EXPECT_GE(honesty.sure, kept.sure) << what;
-  EXPECT_LE(honesty.sureAndWrong, 1u) << what; // one of 7000 was
+  EXPECT_GT(errors.depth, kept.leastDepth) << what;
+  EXPECT_LT(errors.depth, kept.mostDepth) << what;
+  EXPECT_GT(errors.normal, kept.leastNormal) << what;
+  EXPECT_LT(errors.normal, kept.mostNormal) << what;
+  EXPECT_GE(errors.found, kept.found) << what;
+  EXPECT_GE(errors.right, kept.right) << what;
+  EXPECT_GE(errors.sure, kept.sure) << what;
+  EXPECT_LE(errors.sureAndWrong, 1u) << what; // one of 7000 was
 }
 } // namespace
 
@@ -149,7 +149,7 @@ TEST(DetectorUnrefined, CovarianceAndOddsAreThoseOfTheClosedForm)
                            {Family::RING, 35., 0.4, 1., 0.84, 1.55, 78, 78, 6},
                            {Family::RING, 70., 0.22, 1., 0.22, 1., 78, 78, 78},
                            {Family::RING, 150., 0.08, 1., 0.14, 1., 78, 78, 78}}) {
-    expectKept(honestyOf(kept.family, kept.diameter, random), kept);
+    expectKept(errorsOf(kept.family, kept.diameter, random), kept);
   }
 }
 
@@ -157,12 +157,12 @@ TEST(DetectorUnrefined, CoveredMarkersAndThinRingsToo)
 {
   Random random = randomOfTest();
   const Kept covered = {vpCircleMarkerFamily::GOLAY23, 120., 0.05, 1., 0.1, 1.4, 78, 77, 74};
-  expectKept(honestyOf(covered.family, covered.diameter, random, true), covered);
+  expectKept(errorsOf(covered.family, covered.diameter, random, true), covered);
   // The normal of the smallest thin rings is now and then far off: of other seeds its mean is 1 to 9, with this one
   // less.
   for (const Kept &kept : {Kept{vpCircleMarkerFamily::ring(0.9), 16., 0.4, 2., 0.1, 4., 42, 21, 0},
                            {vpCircleMarkerFamily::ring(0.9), 24., 1., 2.55, 0.1, 2., 74, 50, 0}}) {
-    expectKept(honestyOf(kept.family, kept.diameter, random), kept);
+    expectKept(errorsOf(kept.family, kept.diameter, random), kept);
   }
 }
 

@@ -17,6 +17,7 @@
 
 #include "hard_pictures.h"
 
+#include "common/darkened_picture.h"
 #include "common/processed_picture.h"
 #include "common/sharpened_picture.h"
 #include "common/toned_picture.h"
@@ -80,6 +81,9 @@ void processPicture(const Hardship &hardship, Scene &scene)
   }
   if (hardship.name == "contrast raised" || hardship.name == "gamma 0.45, contrast raised") {
     return common::raiseContrast(hardship.level, scene.image);
+  }
+  if (hardship.name == "darker corners") {
+    return common::darkenCorners(hardship.level, scene.camera, scene.image);
   }
   const common::Processing processing = processingOf(hardship);
   common::process(processing, scene.image);

@@ -327,6 +327,8 @@ const std::vector<Hardship> &hardships()
                                      {"motion", 0.25},
                                      {"defocus", 0.08},
                                      {"defocus", 0.15},
+                                     {"darker corners", 0.64},
+                                     {"darker corners", 0.4},
                                      {"light gradient", 0.5},
                                      {"light gradient", 0.9},
                                      {"shadow", 0.5},

@@ -21,13 +21,17 @@
 #include <cmath>
 
 namespace common {
+double contrastRaised(double share, double strength)
+{
+  const auto logistic = [strength](double x) { return 1. / (1. + std::exp(-strength * (x - 0.5))); };
+  const double black = logistic(0.);
+  return (logistic(share) - black) / (logistic(1.) - black);
+}
+
 void raiseContrast(double strength, vpImage<unsigned char> &I)
 {
-  const auto logistic = [strength](double share) { return 1. / (1. + std::exp(-strength * (share - 0.5))); };
-  const double black = logistic(0.);
-  const double step = logistic(1.) - black;
-  std::transform(I.bitmap, I.bitmap + I.getSize(), I.bitmap, [&](unsigned char grey) {
-    return static_cast<unsigned char>(std::lround(255. * (logistic(grey / 255.) - black) / step));
+  std::transform(I.bitmap, I.bitmap + I.getSize(), I.bitmap, [strength](unsigned char grey) {
+    return static_cast<unsigned char>(std::lround(255. * contrastRaised(grey / 255., strength)));
   });
 }
 } // namespace common

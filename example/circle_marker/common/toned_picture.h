@@ -24,11 +24,14 @@
 
 namespace common {
 /*!
-  A tone curve that is an S, as cameras have it that raise the contrast: a logistic function of the grey level, from
-  black to white as before.
+  A tone curve that is an S, as cameras have it that raise the contrast: a logistic function.
+  \param share : Grey level, from 0 to 1.
   \param strength : Of the logistic function: by the slope in the middle, strength / 4 / tanh(strength / 4).
-  \param I : The picture.
+  \return Grey level, 0 and 1 as before.
 */
+double contrastRaised(double share, double strength);
+
+/*! The same of a picture's grey levels, from 0 to 255. */
 void raiseContrast(double strength, vpImage<unsigned char> &I);
 } // namespace common
 

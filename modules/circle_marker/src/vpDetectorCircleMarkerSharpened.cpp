@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"
 #include "support/sensor_range.h"
 #include "outer_edge.h"
@@ -29,11 +30,11 @@ BEGIN_VISP_NAMESPACE
 using namespace circle_marker;
 
 namespace {
-// What leaves more than this factor of the noise, and this share of the contrast, may have been sharpened. Of images
-// that were not, with noise of 0 to 8 grey levels, it is a few markers of a hundred; larger limits miss small rings.
+// What leaves more than this factor of the noise, beyond so many standard deviations of chance, may have been
+// sharpened. Of images that were not, with noise of 0 to 8 grey levels, it is a few markers of a hundred; larger limits
+// miss small rings.
 constexpr double muchLeft = 1.03;
-constexpr double byChance = 1.2; // by the square root of the number of pixels: 1.7 standard deviations
-constexpr double lacking = 0.001;
+constexpr double clearOfChance = 1.7;
 // Beside a larger marker, radius in pixels, a halo is seen if there is one; to search for its mask takes long.
 constexpr double largestWithoutHalo = 100.;
 // What is like no marker in the image as it is leaves no more than this factor of the noise in what that was before:
@@ -51,13 +52,6 @@ constexpr double largestUnlike = 60.;
 constexpr double takenByMasks = 0.5;
 // By so much, ln, a mask has to make the image likelier. (Two parameters gain 1 by chance.)
 constexpr double leastGain = 10.;
-
-// Whether a fit to so many pixels leaves more of the image than noise and what the model lacks.
-bool isTooMuchLeft(const FittedPose &fit, std::size_t pixels, double noise)
-{
-  const double most = muchLeft + byChance * std::sqrt(fit.sharing / static_cast<double>(pixels));
-  return fit.noise > std::hypot(most * std::max(noise, quantisation), lacking * fit.photometry.tellableContrast());
-}
 
 // Noise behind a mask: of the highest frequencies, by which a marker is measured.
 ImageNoise noiseBehind(const UnsharpMask &mask, const ImageNoise &noise)
@@ -92,8 +86,9 @@ bool vpDetectorCircleMarker::Impl::measureSharpened(const Visit &visit, const El
   }
   const auto mayBeSharpened = [&] {
     const FittedPose &first = fit.measurement->first;
-    return fit.halo >= leastHalo || (frameOf(first.plane, visit.camera).size < largestWithoutHalo &&
-                                     isTooMuchLeft(first, fit.pixels, visit.noise.sigma));
+    const double most = mostLeftByNoise(first, fit.pixels, visit.noise.sigma, muchLeft, clearOfChance);
+    return fit.halo >= leastHalo ||
+           (frameOf(first.plane, visit.camera).size < largestWithoutHalo && first.noise > most);
   };
   const auto mayBeRestored = [&] {
     return marker.isCertain && marker.family.isCoded() && frameOf(marker.poses[0], visit.camera).size < largestUnlike;
@@ -127,6 +122,7 @@ bool vpDetectorCircleMarker::Impl::searchMask(const Visit &visit, const EllipseC
   const auto choose = [&](const FittedPose &found) {
     around = found;
     around->photometry.toneCurve.reset();
+    around->photometry.lightCurvature.reset();
     around->photometry.blur.sigma = std::hypot(found.photometry.blur.sigma, takenByMasks);
   };
   if (fit.measurement) {

@@ -253,12 +253,14 @@ TEST(Coherence, TheLastStepIsNoPull)
     const Equations equations = likelihood.linearise(beside, fit->photometry, noise);
     likelihood.keepResiduals();
     PoseInfluence influence = PoseInfluence::Zero();
-    const auto used = equations.used;
+    const UsedParameters &parametersUsed = equations.used;
+    const int used = parametersUsed.end();
     influence.leftCols(used) =
         Eigen::MatrixXd(equations.matrix.topLeftCorner(used, used)).inverse().topRows<poseSize>();
     const ParameterVector step = solveEquations(equations.matrix, equations.right, used);
-    withStep += likelihood.coherentCovariance(influence, step, noise, used).ratio > 1. ? 1 : 0;
-    withoutStep += likelihood.coherentCovariance(influence, ParameterVector::Zero(), noise, used).ratio > 1. ? 1 : 0;
+    withStep += likelihood.coherentCovariance(influence, step, noise, parametersUsed).ratio > 1. ? 1 : 0;
+    withoutStep +=
+        likelihood.coherentCovariance(influence, ParameterVector::Zero(), noise, parametersUsed).ratio > 1. ? 1 : 0;
   }
   EXPECT_LE(withStep, 2);
   EXPECT_EQ(withoutStep, count);

@@ -77,7 +77,23 @@ TEST(GreyModel, ToneCurveIsAnSBetweenInkAndPaper)
   EXPECT_NEAR(greyAt(photometry, center, 0.25), 162.5 + 0.5 * 150. * 0.25 * 0.75 * 0.5, 1e-3);
 }
 
-// Light, its gradient, ink, gamma, tone curve and a shadow, each against central differences along a step of the fit.
+// 1 + 0.2 * 0.5 - 0.1 * 0.25 + 0.3 * 0.5 * (-0.4) - 0.2 * 0.16 of the light, by the power of 2.2; so does whiteAt().
+TEST(GreyModel, LightThatBends)
+{
+  Photometry photometry;
+  photometry.white = 150.;
+  photometry.lightGradient = Eigen::Vector2d(0.2, 0.);
+  photometry.lightCurvature = Eigen::Vector3d(-0.1, 0.3, -0.2);
+  photometry.gamma = 2.2;
+  photometry.absorption = 0.8;
+  const Eigen::Vector2d place(0.5, -0.4);
+  EXPECT_NEAR(greyAt(photometry, place, 0.), 150. * std::pow(0.983, 2.2), 1e-3);
+  EXPECT_NEAR(photometry.whiteAt(place), 150. * std::pow(0.983, 2.2), 1e-6);
+  EXPECT_NEAR(greyAt(photometry, place, 0.5), 150. * std::pow(0.983 * 0.6, 2.2), 1e-3);
+}
+
+// Light, its gradient and curvature, ink, gamma, tone curve and a shadow, each against central differences along a step
+// of the fit.
 TEST(GreyModel, DerivativesByTheLightAgreeWithDifferences)
 {
   Random random = randomOfTest();
@@ -89,6 +105,10 @@ TEST(GreyModel, DerivativesByTheLightAgreeWithDifferences)
     }
     if (i % 3 == 0) {
       photometry.toneCurve = uniform(random, -0.6, 0.6);
+    }
+    if (i % 5 == 0) {
+      photometry.lightCurvature =
+          Eigen::Vector3d(uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1));
     }
     const Eigen::Vector2d offset(uniform(random, -1., 1.), uniform(random, -1., 1.));
     const double black = uniform(random, 0., 1.);
@@ -117,6 +137,9 @@ TEST(GreyModel, DerivativesByTheLightAgreeWithDifferences)
     }
     if (photometry.toneCurve) {
       sought.push_back(toneAt);
+    }
+    for (int k = 0; photometry.lightCurvature && k < curvatureSize; ++k) {
+      sought.push_back(curvatureAt + k);
     }
     const auto after = [&](int parameter, double step) {
       ParameterVector steps = ParameterVector::Zero();

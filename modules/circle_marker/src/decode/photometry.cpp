@@ -69,10 +69,20 @@ double Shadow::leavesAt(const Eigen::Vector2d &offset) const
   return 1. - 0.5 * (1. - factor) * std::erfc(-beyond / (std::sqrt(2.) * softness));
 }
 
+double Photometry::relativeLightAt(const Eigen::Vector2d &offset) const
+{
+  double light = 1. + lightGradient.dot(offset);
+  if (lightCurvature) {
+    light +=
+        lightCurvature->dot(Eigen::Vector3d(offset.x() * offset.x(), offset.x() * offset.y(), offset.y() * offset.y()));
+  }
+  return std::max(light, leastLight);
+}
+
 double Photometry::whiteAt(const Eigen::Vector2d &offset) const
 {
   const double left = shadow ? shadow->leavesAt(offset) : 1.;
-  return white * std::pow(std::max(1. + lightGradient.dot(offset), leastLight) * left, gamma);
+  return white * std::pow(relativeLightAt(offset) * left, gamma);
 }
 
 double Photometry::blackOf(double grey) const

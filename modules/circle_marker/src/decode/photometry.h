@@ -83,8 +83,10 @@ struct Photometry
 {
   double white = 200.; //!< Grey level of white paper at the marker's centre, if no shadow fell on it.
   Eigen::Vector2d lightGradient = Eigen::Vector2d::Zero(); //!< Change of the light over the marker's size, share of it.
-  double absorption = 0.8;                                 //!< Share of the light that ink takes.
-  double gamma = 1.;                                       //!< The camera's.
+  //! And how it bends: a lens's corners are darker. Coefficients of u^2, u v, v^2 in the light; nothing: it does not.
+  std::optional<Eigen::Vector3d> lightCurvature;
+  double absorption = 0.8; //!< Share of the light that ink takes.
+  double gamma = 1.;       //!< The camera's.
   //! How far the camera's tone curve is an S besides: see maximum_likelihood.h; nothing: it is not.
   std::optional<double> toneCurve;
   //! How much of what may lie beyond the quiet zone does, for each shape that the paper may have (PaperShape): 1 if it
@@ -108,6 +110,9 @@ struct Photometry
     model may lack.
   */
   double tellableContrast() const;
+
+  /*! Light at a place in the coordinates of ImageFrame without a shadow, in units of that at the marker's centre. */
+  double relativeLightAt(const Eigen::Vector2d &offset) const;
 
   /*! Grey level of white paper at a place in the coordinates of ImageFrame. */
   double whiteAt(const Eigen::Vector2d &offset) const;

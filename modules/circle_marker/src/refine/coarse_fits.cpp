@@ -193,6 +193,13 @@ double unexplainedBy(const FittedPose &fit)
   return fit.noise / std::max(fit.inliers, 1e-3);
 }
 
+double mostLeftByNoise(const FittedPose &fit, std::size_t pixels, double noise, double factor, double deviations)
+{
+  constexpr double lacking = 0.001; // of the contrast: edges' shapes, in any image
+  const double chance = deviations * std::sqrt(fit.sharing / (2. * static_cast<double>(pixels)));
+  return std::hypot((factor + chance) * std::max(noise, quantisation), lacking * fit.photometry.tellableContrast());
+}
+
 BlurParameters boundedBlur(const BlurParameters &fitted)
 {
   BlurParameters blur;

@@ -36,8 +36,21 @@ struct MarkerInImage
   std::optional<UnevenLight> uneven; //!< The light on it, if pixels are to be taken to even light.
 };
 
-/*! What a fit leaves, grey levels: the more the fewer pixels it explains. */
+/*! What a fit leaves, grey levels: the more the fewer pixels it explains; of mere noise 1 / keptOfNoise times that. */
 double unexplainedBy(const FittedPose &fit);
+
+/*! Share of normal noise that is not taken for outliers: the biweight's mean. */
+constexpr double keptOfNoise = 0.915;
+
+/*!
+  What a fit leaves at most, grey levels, if all of it is noise, rounding and what any model lacks.
+  \param fit : The fit.
+  \param pixels : Number of its pixels.
+  \param noise : Of the image, standard deviation, grey levels.
+  \param factor : Of the noise, without chance.
+  \param deviations : Standard deviations of chance.
+*/
+double mostLeftByNoise(const FittedPose &fit, std::size_t pixels, double noise, double factor, double deviations);
 
 /*! The blur by which pixels are chosen: that of a fit, within bounds. */
 BlurParameters boundedBlur(const BlurParameters &fitted);

@@ -55,7 +55,7 @@ struct Part
 
 using Parts = std::array<Part, directions>;
 
-// The influence times a part's matrix, of which the triangle is given, row by row. used: number of parameters.
+// The influence times a part's matrix, of which the triangle is given, row by row, of so many parameters.
 PoseInfluence movedBy(const ProductSums &products, const PoseInfluence &influence, int used)
 {
   PoseInfluence moved;
@@ -71,7 +71,8 @@ PoseInfluence movedBy(const ProductSums &products, const PoseInfluence &influenc
   return moved;
 }
 
-// influence: in these coordinates; step: the last one from where the sums were made; used: number of parameters.
+// influence: in these coordinates; step: the last one from where the sums were made; both of the parameters that are
+// used, one after another; used: how many.
 Part partOf(const ProductSums &products, const PullSums &pulls, const PoseInfluence &influence,
             const ParameterVector &step, int used)
 {
@@ -146,7 +147,7 @@ PoseMatrix widened(const PoseMatrix &root, const Excess &excess)
 } // namespace
 
 CoherentCovariance Likelihood::coherentCovariance(const PoseInfluence &influence, const ParameterVector &step,
-                                                  double noise, int used) const
+                                                  double noise, const UsedParameters &used) const
 {
   CoherentCovariance coherent = {influence.leftCols<poseSize>(), 1.};
   const int fitted = m_settings.spinIsKnown ? poseSize : spinAt;
@@ -158,10 +159,16 @@ CoherentCovariance Likelihood::coherentCovariance(const PoseInfluence &influence
   }
   PoseInfluence even = root.triangularView<Eigen::Lower>().solve(influence);
   even.bottomRows(poseSize - fitted).setZero();
+  ParameterVector usedStep = ParameterVector::Zero();
+  for (std::size_t k = 0; k < used.count(); ++k) { // in their order: none is overwritten before it is read
+    even.col(static_cast<Eigen::Index>(k)) = even.col(static_cast<Eigen::Index>(used[k])).eval();
+    usedStep[static_cast<Eigen::Index>(k)] = step[static_cast<Eigen::Index>(used[k])];
+  }
   Parts parts;
   const std::size_t seen = std::min(m_memory.sums.products.size(), directions);
   for (std::size_t k = 0; k < seen; ++k) {
-    parts[k] = partOf(m_memory.sums.products[k], m_memory.sums.pulls[k], even, step, used);
+    parts[k] =
+        partOf(m_memory.sums.products[k], m_memory.sums.pulls[k], even, usedStep, static_cast<int>(used.count()));
   }
   std::size_t count = directions;
   const Excess finest = excessOf(parts, count, fitted, noise);

@@ -21,6 +21,8 @@
 #include <optional>
 
 #include "refine/bent_sheet.h"
+#include "refine/coarse_fits.h"
+#include "refine/curved_light.h"
 #include "refine/fit_starts.h"
 #include "refine/missed_light.h"
 #include "refine/plausible_print.h"
@@ -40,12 +42,24 @@ constexpr int mostTwins = 2;
 // Plain rings below this radius, pixels, are fitted without a tone curve: one of 6 pixels and a ratio of 0.5 was found
 // as that of 0.8 with one.
 constexpr double leastTonedRing = 10.;
+// Below this radius, pixels, the light bends by less than a tenth of a grey level before a lens of 1000 pixels.
+constexpr double leastInCurvedLight = 20.;
+// With light that bends hardly more than noise is left, up to this factor beyond two standard deviations of chance:
+// what leaves more has another reason. (Beside black that a camera has sharpened two times by 2 pixels, clipped, three
+// of 200 were taken for such light, and their poses were off by 18 standard deviations.)
+constexpr double mostLeftInCurvedLight = 1.25;
+constexpr double chanceInCurvedLight = 2.;
 
 // Whether the sheet may be bent, as far as the fit can tell: where too much is covered a bend explains what covers it.
 bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
 {
   const bool isMostlySeen = !marker.seen || marker.seen->shareOfRing() > leastSeenOfBent;
   return isMostlySeen && !marker.darkness && pattern.sectors > 0;
+}
+
+bool isCorrected(const Recognition &marker)
+{
+  return marker.hasCode() && marker.code.hamming > 0;
 }
 
 // Whether a tone curve is to be fitted. One shadow is enough; and a plain ring shows too little to tell that there is a
@@ -55,12 +69,18 @@ bool mayBend(const Recognition &marker, const MarkerPattern &pattern)
 bool mayBeToned(const MarkerInImage &view, const FittedPose &fit, const FitSettings &settings,
                 const MarkerPattern &pattern, const MeasureMemory &memory)
 {
-  const bool isCorrected = view.marker.hasCode() && view.marker.code.hamming > 0;
-  if (!settings.gammaAndSpread || fit.photometry.shadow || view.marker.seen || isCorrected) {
+  if (!settings.gammaAndSpread || fit.photometry.shadow || view.marker.seen || isCorrected(view.marker)) {
     return false;
   }
   return pattern.sectors == 0 ? view.frame.size > leastTonedRing
                               : mayHaveToneCurve(fit, memory.pixels.size(), view.frame.size, settings.noise.sigma);
+}
+
+// Whether the light is to be fitted with a curvature; see mayBeToned(). Light that was told to be uneven has one.
+bool mayBeInCurvedLight(const MarkerInImage &view, const FittedPose &fit)
+{
+  return view.frame.size > leastInCurvedLight && !view.uneven && !isCorrected(view.marker) && !fit.photometry.shadow &&
+         !view.marker.seen && !fit.photometry.lightCurvature;
 }
 
 // Whether the mirrored pose of the best fit is another one that no fit has come to, or one in other light has. From
@@ -168,12 +188,23 @@ RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDou
   if (isInDoubt || ranked.fits.empty()) {
     return ranked;
   }
-  if (mayBeToned(view, ranked.fits[0], settings, pattern, memory)) {
-    const RankedFits toned = fitToneCurve(memory.pixels, ranked, pattern, settings, *memory.fitter);
+  const auto take = [&](const RankedFits &extended) { // unless what it says is no camera's any more
     const bool hasCode = pattern.sectors > 0;
-    if (isExplained(toned.fits[0], view, hasCode, true) || !isExplained(ranked.fits[0], view, hasCode, true)) {
-      ranked = toned;
+    if (isExplained(extended.fits[0], view, hasCode, true) || !isExplained(ranked.fits[0], view, hasCode, true)) {
+      ranked = extended;
     }
+  };
+  if (mayBeInCurvedLight(view, ranked.fits[0]) &&
+      isLightCurved(memory.pixels, ranked.fits[0], pattern, settings, *memory.fitter)) {
+    const RankedFits curved = fitCurvedLight(memory.pixels, ranked, pattern, settings, *memory.fitter);
+    const FittedPose &best = curved.fits[0];
+    if (keptOfNoise * unexplainedBy(best) <
+        mostLeftByNoise(best, memory.pixels.size(), settings.noise.sigma, mostLeftInCurvedLight, chanceInCurvedLight)) {
+      take(curved);
+    }
+  }
+  if (mayBeToned(view, ranked.fits[0], settings, pattern, memory)) {
+    take(fitToneCurve(memory.pixels, ranked, pattern, settings, *memory.fitter));
   }
   if (pattern.sectors == 0) {
     return ranked;

@@ -36,7 +36,7 @@ double noiseOfSquares(const Equations &equations)
   // Of normal noise the biweight keeps this share of the mean square at its constant c:
   // (1 - 6 / c^2 + 15 / c^4) / (1 - 2 / c^2 + 3 / c^4).
   constexpr double biweightShrinkage = 0.828;
-  const double freedom = std::max(equations.kept - equations.fitted, 1.);
+  const double freedom = std::max(equations.kept - static_cast<double>(equations.used.count()), 1.);
   return std::max(std::sqrt(equations.squares / freedom / biweightShrinkage), quantisation);
 }
 
@@ -107,17 +107,17 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
   result.inliers = explanation.inliers;
   result.correlation = explanation.correlation;
   // The pose's columns of the inverse, and the step that would be next.
-  Eigen::Matrix<double, Eigen::Dynamic, poseSize + 1, 0, parameters, poseSize + 1> columns(equations.used,
-                                                                                           poseSize + 1);
+  const int end = equations.used.end();
+  Eigen::Matrix<double, Eigen::Dynamic, poseSize + 1, 0, parameters, poseSize + 1> columns(end, poseSize + 1);
   columns.setIdentity();
-  columns.col(poseSize) = equations.right.head(equations.used);
-  UsedMatrix(equations.matrix.topLeftCorner(equations.used, equations.used)).ldlt().solveInPlace(columns);
+  columns.col(poseSize) = equations.right.head(end);
+  UsedMatrix(equations.matrix.topLeftCorner(end, end)).ldlt().solveInPlace(columns);
   if (!columns.allFinite()) {
     return false;
   }
-  result.decrement = equations.right.head(equations.used).dot(columns.col(poseSize));
+  result.decrement = equations.right.head(end).dot(columns.col(poseSize));
   PoseInfluence influence = PoseInfluence::Zero();
-  influence.leftCols(equations.used) = columns.leftCols<poseSize>().transpose();
+  influence.leftCols(end) = columns.leftCols<poseSize>().transpose();
   Eigen::Matrix<double, 6, 6> covariance = positive(influence.leftCols<poseSize>());
   influence.leftCols<poseSize>() = covariance;
   if (settings.exactBends) {

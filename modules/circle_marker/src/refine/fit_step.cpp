@@ -60,6 +60,11 @@ double shareAfter(double share, double step, double bend)
   const double after = std::pow(share, std::exp(-bend)) + step + share * std::log(share) * bend;
   return after < leastLight && bend < -fallOfGamma ? std::max(after, leastOfShare * share) : after;
 }
+
+Eigen::Vector3d curvatureOf(const Photometry &photometry)
+{
+  return photometry.lightCurvature.value_or(Eigen::Vector3d::Zero());
+}
 } // namespace
 
 ParameterVector solveEquations(const ParameterMatrix &matrix, const ParameterVector &right, Eigen::Index used)
@@ -82,6 +87,10 @@ void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &phot
   photometry.gamma = gamma;
   photometry.white += step[lightAt];
   photometry.lightGradient = (std::exp(-bend) + bend) * photometry.lightGradient + step.segment<2>(gradientAt);
+  if (photometry.lightCurvature) {
+    photometry.lightCurvature =
+        (std::exp(-bend) + bend) * *photometry.lightCurvature + step.segment<curvatureSize>(curvatureAt);
+  }
   photometry.absorption = 1. - shareAfter(1. - photometry.absorption, -step[absorptionAt], bend);
   photometry.blur.sigma = std::clamp(photometry.blur.sigma + step[sigmaAt], leastSigma, mostSigma);
   photometry.blur.elongate(step.segment<2>(elongationAt));
@@ -111,6 +120,7 @@ bool isAlike(const Photometry &p, const Photometry &q)
   return std::abs(p.white - q.white) < nearLight * p.white && std::abs(p.absorption - q.absorption) < nearLight &&
          std::abs(p.gamma - q.gamma) < nearLight * p.gamma &&
          std::abs(p.toneCurve.value_or(0.) - q.toneCurve.value_or(0.)) < nearLight &&
+         (curvatureOf(p) - curvatureOf(q)).norm() < nearLight &&
          std::abs(p.blur.sigma - q.blur.sigma) < nearLight * p.blur.sigma;
 }
 

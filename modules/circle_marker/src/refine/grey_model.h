@@ -184,7 +184,8 @@ inline GreyLanes greyOf(const PixelBlock &block, const SurroundLanes *surround, 
   }
   return grey;
 }
-// Derivatives of a block's grey levels by all parameters.
+
+// Derivatives of a block's grey levels by all parameters that any pixel depends on (UsedParameters).
 using RowLanes = std::array<Lanes, parameters>;
 
 inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const Photometry &photometry,
@@ -198,9 +199,6 @@ inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const 
     byLogReflectance *= 1.f + tone.byPrint;
     byInk = grey.white * tone.byBlack;
     row[toneAt] = grey.white * tone.byCurve;
-    for (std::size_t k = 0; k < shadowSize; ++k) {
-      row[shadowAt + k].setZero(); // unless there is one
-    }
   }
   const Lanes byReflectance = byLogReflectance * grey.reflectance.inverse();
   const Lanes byDarkness = -static_cast<float>(photometry.absorption) * byReflectance;
@@ -220,6 +218,11 @@ inline void rowOf(const PixelBlock &block, const SurroundLanes *surround, const 
   const Lanes byLight = byLogLight * lightOf(block, photometry).inverse();
   row[gradientAt] = byLight * block.offsetU;
   row[gradientAt + 1] = byLight * block.offsetV;
+  if (photometry.lightCurvature) {
+    row[curvatureAt] = row[gradientAt] * block.offsetU;
+    row[curvatureAt + 1] = row[gradientAt] * block.offsetV;
+    row[curvatureAt + 2] = row[gradientAt + 1] * block.offsetV;
+  }
   row[absorptionAt] = -byReflectance * darkness.value;
   row[gammaAt] = byLogReflectance * grey.logReflectance + byLogLight * grey.logLight;
   if (photometry.toneCurve) {

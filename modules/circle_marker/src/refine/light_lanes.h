@@ -28,7 +28,13 @@ inline namespace CIRCLE_MARKER_LANES {
 inline Lanes lightOf(const PixelBlock &block, const Photometry &photometry)
 {
   const Eigen::Vector2f gradient = photometry.lightGradient.cast<float>();
-  return (1.f + gradient.x() * block.offsetU + gradient.y() * block.offsetV).max(static_cast<float>(leastLight));
+  Lanes light = 1.f + gradient.x() * block.offsetU + gradient.y() * block.offsetV;
+  if (photometry.lightCurvature) {
+    const Eigen::Vector3f bend = photometry.lightCurvature->cast<float>();
+    light +=
+        (bend[0] * block.offsetU + bend[1] * block.offsetV) * block.offsetU + bend[2] * block.offsetV * block.offsetV;
+  }
+  return light.max(static_cast<float>(leastLight));
 }
 
 // Grey level of white paper if no shadow fell on it; Photometry::whiteAt() is that under it.

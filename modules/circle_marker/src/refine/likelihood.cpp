@@ -57,6 +57,9 @@ constexpr double elongationPrior = 0.03;
 // The light changes by some hundredths over a marker's size, mostly, but may by any amount: Cauchy's prior again, this
 // share of the light its scale. A change along the tilt makes the two poses of a small ring look more alike.
 constexpr double gradientPrior = 0.02;
+// A lens of 60 degrees darkens its corners by half or more: across a marker that fills a third of the image the light
+// bends by a tenth.
+constexpr double curvaturePrior = 0.1;
 // The paper mostly ends where it may, at a square or, less often, at a circle, or goes on in some directions.
 constexpr std::array<double, paperShapes> expectedSurround = {{0.25, 0.5}};
 constexpr double surroundPrior = 0.5;
@@ -198,15 +201,8 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks, m_settings.bend);
   SurroundModel beyond(plane, m_pattern.paper, photometry, m_memory.blocks, m_settings.bend);
   Equations equations;
-  equations.used = photometry.toneCurve                ? parameters
-                   : photometry.shadow                 ? toneAt
-                   : m_settings.bend                   ? shadowAt
-                   : m_memory.blocks.surrounds.empty() ? surroundAt
-                                                       : bendAt;
-  equations.fitted = surroundAt + (m_memory.blocks.surrounds.empty() ? 0 : bendAt - surroundAt) +
-                     (m_settings.bend ? bendSize : 0) + (photometry.shadow ? shadowSize : 0) +
-                     (photometry.toneCurve ? 1 : 0);
-  Sums sums(m_memory.trialSums, static_cast<std::size_t>(equations.used), formsProducts);
+  equations.used = usedBy(photometry);
+  Sums sums(m_memory.trialSums, equations.used, formsProducts);
   m_memory.trial.clear();
   m_memory.trialSteepness.clear();
   DarknessLanes darkness;
@@ -247,6 +243,19 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
   m_trialHasProducts = formsProducts;
   constrain(plane, photometry, noise, equations);
   return equations;
+}
+
+// What the pixels depend on.
+UsedParameters Likelihood::usedBy(const Photometry &photometry) const
+{
+  UsedParameters used;
+  used.add(0, surroundAt);
+  used.add(surroundAt, m_memory.blocks.surrounds.empty() ? 0 : bendAt - surroundAt);
+  used.add(bendAt, m_settings.bend ? bendSize : 0);
+  used.add(shadowAt, photometry.shadow ? shadowSize : 0);
+  used.add(toneAt, photometry.toneCurve ? 1 : 0);
+  used.add(curvatureAt, photometry.lightCurvature ? curvatureSize : 0);
+  return used;
 }
 
 double Likelihood::cost(const MarkerPlane &plane, const Photometry &photometry, double noise) const
@@ -292,7 +301,8 @@ double Likelihood::priorCost(const MarkerPlane &plane, const Photometry &photome
   const double v = m_settings.gammaAndSpread ? photometry.blur.spread / spreadPriorOf(plane, photometry) : 0.;
   const double t = photometry.toneCurve.value_or(0.) / tonePrior;
   const double w = (plane.bend.bow * plane.bend.bow + plane.bend.saddle.squaredNorm()) / (bendPrior * bendPrior);
-  double cost = u * u + v * v + w + t * t + cauchyCost(photometry.blur.elongation, elongationPrior) +
+  const double c = photometry.lightCurvature ? photometry.lightCurvature->norm() / curvaturePrior : 0.;
+  double cost = u * u + v * v + w + t * t + c * c + cauchyCost(photometry.blur.elongation, elongationPrior) +
                 cauchyCost(photometry.lightGradient, gradientPrior);
   for (std::size_t shape = 0; shape < paperShapes; ++shape) {
     const double s = (photometry.surround[shape] - expectedSurround[shape]) / surroundPrior;
@@ -359,6 +369,12 @@ void Likelihood::constrain(const MarkerPlane &plane, const Photometry &photometr
   const double weightOfTone = noise * noise / (tonePrior * tonePrior);
   equations.matrix(toneAt, toneAt) += weightOfTone;
   equations.right[toneAt] -= weightOfTone * photometry.toneCurve.value_or(0.);
+  const Eigen::Vector3d curvature = photometry.lightCurvature.value_or(Eigen::Vector3d::Zero());
+  for (int k = 0; k < curvatureSize; ++k) {
+    const double weight = noise * noise / (curvaturePrior * curvaturePrior);
+    equations.matrix(curvatureAt + k, curvatureAt + k) += weight;
+    equations.right[curvatureAt + k] -= weight * curvature[k];
+  }
   // Of a shadow whose edge passes beside the marker not everything is known.
   for (int k = 0; k < shadowSize; ++k) {
     equations.matrix(shadowAt + k, shadowAt + k) += noise * noise / (shadowPrior * shadowPrior);

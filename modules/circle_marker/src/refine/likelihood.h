@@ -41,9 +41,8 @@ struct Equations
 {
   ParameterMatrix matrix = ParameterMatrix::Zero();
   ParameterVector right = ParameterVector::Zero();
-  int used = parameters;   //!< Number of parameters, the first ones, that any pixel depends on,
-  int fitted = parameters; //!< and of those among them that are asked for.
-  double cost = 0.;        //!< Robust sum of squares, grey levels^2.
+  UsedParameters used; //!< The others' rows and columns have a prior at most.
+  double cost = 0.;    //!< Robust sum of squares, grey levels^2.
   //! Weighted sum of squared residuals, grey levels^2, and number of pixels, each as far as it is not taken for an
   //! outlier; of pixels that tell the noise: what the surround may add is not known well enough.
   double squares = 0.;
@@ -129,10 +128,10 @@ public:
     \param influence : By the equations kept.
     \param step : Last step from where these were made.
     \param noise : Grey levels.
-    \param used : Number of parameters, the first ones, that any pixel depends on.
+    \param used : The parameters of these equations.
   */
   CoherentCovariance coherentCovariance(const PoseInfluence &influence, const ParameterVector &step, double noise,
-                                        int used) const;
+                                        const UsedParameters &used) const;
 
   /*! The residuals at a pose, without equations. */
   void evaluate(const MarkerPlane &plane, const Photometry &photometry);
@@ -155,6 +154,7 @@ public:
 
 private:
   Equations pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts);
+  UsedParameters usedBy(const Photometry &photometry) const;
   double spreadPriorOf(const MarkerPlane &plane, const Photometry &photometry) const;
   double priorCost(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
   void constrain(const MarkerPlane &plane, const Photometry &photometry, double noise, Equations &equations) const;

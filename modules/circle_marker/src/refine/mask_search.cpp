@@ -32,21 +32,16 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// What a mask adds at the frequency of exp(-0.3 sigma^2), 0.77 rad a pixel, is its strength: there the masks that leave
-// nearly the same image, narrow ones of a large amount and wide ones of a small one, are alike.
-constexpr double ofStrength = 0.3;
-// Masks that are one: widths, pixels, and amounts. A narrower one is a sharper lens, a wider one a veil of light.
+// Widths of masks, pixels: a narrower one is a sharper lens, a wider one a veil of light.
 constexpr double leastSigma = 0.5;
 constexpr double mostSigma = 5.;
-constexpr double mostAmount = 6.;
 // Weak masks, amount and pixels: towards what sharpened an image one of them makes it likelier; that is the last one
 // where a small marker was sharpened strongly.
 constexpr std::array<UnsharpMask, 3> weakMasks = {{{0.2, 1.}, {0.15, 2.}, {0.5, 2.}}};
 // Where the search begins, amount and pixels: what many cameras do; and if that does not explain the image, strong
 // sharpening by wide masks, which is not seen behind weak narrow ones.
 constexpr std::array<UnsharpMask, 4> starts = {{{0.5, 1.}, {0.45, 2.}, {1.4, 2.}, {3., 2.}}};
-// Widths are tried in steps of this, ln.
-constexpr double stepOfWidth = 0.35;
+// So many steps of the width are tried to either side.
 constexpr int mostSteps = 4;
 // Rounds in which the parabola's vertex is tried; the last is when it promises less than this of the log-likelihood.
 constexpr int mostRounds = 6;
@@ -64,21 +59,6 @@ constexpr double clearlyLess = 0.97;
 constexpr double widthOfCameras = 0.7;
 constexpr double strengthOfCameras = 1.;
 
-double attenuationOf(double sigma)
-{
-  return 1. - std::exp(-ofStrength * sigma * sigma);
-}
-
-double strengthOf(const UnsharpMask &mask)
-{
-  return mask.amount * attenuationOf(mask.sigma);
-}
-
-double mostStrengthOf(double lnSigma)
-{
-  return mostAmount * attenuationOf(std::exp(lnSigma));
-}
-
 // From one pose to another: of the centre, metres, and of the normal, as a rotation, rad. No mask turns a marker about
 // its normal.
 Eigen::Matrix<double, 6, 1> change(const MarkerPlane &from, const MarkerPlane &to)
@@ -86,6 +66,13 @@ Eigen::Matrix<double, 6, 1> change(const MarkerPlane &from, const MarkerPlane &t
   Eigen::Matrix<double, 6, 1> pose;
   pose << to.center * (from.radius / to.radius) - from.center, from.rotation.col(2).cross(to.rotation.col(2));
   return pose;
+}
+
+// They would stand for a part of a mask.
+void dropExtensions(Photometry &photometry)
+{
+  photometry.toneCurve.reset();
+  photometry.lightCurvature.reset();
 }
 
 // Whether a pose leans as another one does, not to the other side.
@@ -115,7 +102,7 @@ MaskSearch::MaskSearch(const FittedPose &start, Known known, double noise, Measu
 {
   if (known != Known::NOTHING) {
     m_nearest = start;
-    m_nearest->photometry.toneCurve.reset(); // it would stand for a part of a mask
+    dropExtensions(m_nearest->photometry);
   }
   if (start.photometry.toneCurve) {
     m_toned = start;
@@ -137,7 +124,7 @@ std::optional<SearchedMask> MaskSearch::run()
     }
   }
   const double rival = std::min(none, leftByTone());
-  const Trial &best = m_trials[m_best];
+  const MaskTrial &best = m_trials.best();
   if (!isBetterThanNone() || best.left > clearlyLess * rival) {
     return std::nullopt;
   }
@@ -148,14 +135,14 @@ std::optional<SearchedMask> MaskSearch::run()
 
 void MaskSearch::searchFrom(const UnsharpMask &start)
 {
-  const double lnSigma = std::log(start.sigma);
-  if (!searchStrength(strengthOf(start), lnSigma) || !isBetterThanNone()) {
+  const Eigen::Vector2d place = placeOf(start.amount, start.sigma);
+  if (!searchStrength(place) || !isBetterThanNone()) {
     return;
   }
   searchWidth();
-  const Eigen::Vector2d wide = m_trials[m_best].place;
-  if (wide[1] != lnSigma) {
-    searchStrength(wide[0], wide[1]);
+  const Eigen::Vector2d wide = m_trials.best().place;
+  if (wide[1] != place[1]) {
+    searchStrength(wide);
     searchWidth();
   }
   searchBoth();
@@ -165,7 +152,7 @@ void MaskSearch::searchFrom(const UnsharpMask &start)
 bool MaskSearch::isLikelierBehindAny()
 {
   return std::any_of(weakMasks.begin(), weakMasks.end(), [this](const UnsharpMask &mask) {
-    return leftAt(strengthOf(mask), std::log(mask.sigma)) < m_trials[0].left;
+    return leftAt(placeOf(mask.amount, mask.sigma)) < m_trials.none().left;
   });
 }
 
@@ -179,38 +166,34 @@ double MaskSearch::leftByTone() const
 // Whether the best mask leaves hardly more than noise.
 bool MaskSearch::isExplained() const
 {
-  const Trial &best = m_trials[m_best];
+  const MaskTrial &best = m_trials.best();
   return best.noise < mostLeft * std::max(m_noise / (1. + maskAt(best.place).amount), quantisation);
 }
 
 bool MaskSearch::isBetterThanNone() const
 {
-  return m_trials[m_best].left < clearlyLess * m_trials[0].left;
+  return m_trials.best().left < clearlyLess * m_trials.none().left;
 }
 
 bool MaskSearch::isOver() const
 {
-  const bool mayBeNone = !m_trials.empty() && !std::isfinite(m_trials[0].left);
-  return m_trials.size() >= (mayBeNone ? mostTrialsOfUnlike : mostTrials);
+  const bool mayBeNone = m_trials.count() > 0 && !std::isfinite(m_trials.none().left);
+  return m_trials.count() >= (mayBeNone ? mostTrialsOfUnlike : MaskTrials::most);
 }
 
 UnsharpMask MaskSearch::maskAt(const Eigen::Vector2d &place) const
 {
-  UnsharpMask mask;
-  mask.sigma = std::exp(place[1]);
-  mask.amount = place[0] / attenuationOf(mask.sigma);
+  UnsharpMask mask = maskOf(place);
   mask.white = m_white;
   mask.ink = m_ink;
   return mask;
 }
 
 // What is left behind a mask, whether it was tried before or not: grey levels^2.
-double MaskSearch::leftAt(double strength, double lnSigma)
+double MaskSearch::leftAt(const Eigen::Vector2d &place)
 {
-  const Eigen::Vector2d place(strength, lnSigma);
-  const auto *const known =
-      std::find_if(m_trials.begin(), m_trials.end(), [&](const Trial &trial) { return trial.place == place; });
-  return known != m_trials.end() ? known->left : tryAt(place);
+  const MaskTrial *const known = m_trials.at(place);
+  return known != nullptr ? known->left : tryAt(place);
 }
 
 // From where it was measured behind the best mask; with the noise that is as likely: fits that weigh pixels by another
@@ -221,8 +204,8 @@ std::optional<FitBehind> MaskSearch::measureBehind(const UnsharpMask &mask) cons
     return m_measureBehind(mask, nullptr);
   }
   FittedPose nearest = *m_nearest;
-  if (!m_trials.empty()) {
-    nearest.noise *= std::exp(lnGainOf(maskAt(m_trials[m_best].place)) - lnGainOf(mask));
+  if (m_trials.count() > 0) {
+    nearest.noise *= std::exp(lnGainOf(maskAt(m_trials.best().place)) - lnGainOf(mask));
   }
   return m_measureBehind(mask, &nearest);
 }
@@ -233,12 +216,12 @@ double MaskSearch::tryAt(const Eigen::Vector2d &place)
   if (isOver()) {
     return HUGE_VAL;
   }
-  Trial trial;
+  MaskTrial trial;
   trial.place = place;
   const UnsharpMask mask = maskAt(trial.place);
   const auto behind = measureBehind(mask);
   if (!behind) {
-    m_trials.push_back(trial);
+    m_trials.add(trial);
     return HUGE_VAL;
   }
   const FittedPose &fit = behind->fit;
@@ -251,11 +234,9 @@ double MaskSearch::tryAt(const Eigen::Vector2d &place)
   if (isAlike(fit.plane, m_start)) {
     trial.pose = change(m_start, fit.plane);
   }
-  m_trials.push_back(trial);
-  if (!m_nearest || trial.left < m_trials[m_best].left) {
-    m_best = m_trials.size() - 1;
+  if (m_trials.add(trial) || !m_nearest) {
     m_nearest = fit;
-    m_nearest->photometry.toneCurve.reset();
+    dropExtensions(m_nearest->photometry);
     m_white = fit.photometry.white;
     m_ink = m_white * (1. - fit.photometry.contrast());
   }
@@ -263,28 +244,29 @@ double MaskSearch::tryAt(const Eigen::Vector2d &place)
 }
 
 // The best strength of a width. False if none is better than no mask.
-bool MaskSearch::searchStrength(double strength, double lnSigma)
+bool MaskSearch::searchStrength(const Eigen::Vector2d &start)
 {
-  const double most = mostStrengthOf(lnSigma);
-  strength = std::min(strength, 0.5 * most);
-  const double none = m_trials[0].left;
-  double at = leftAt(strength, lnSigma);
+  const double most = mostStrengthOf(start[1]);
+  double strength = std::min(start[0], 0.5 * most);
+  const auto leftBy = [&](double tried) { return leftAt({tried, start[1]}); };
+  const double none = m_trials.none().left;
+  double at = leftBy(strength);
   if (at >= none) {
     strength /= 3.;
-    at = leftAt(strength, lnSigma);
+    at = leftBy(strength);
   }
   if (at >= none) {
     return false;
   }
   double below = none;
-  double twice = leftAt(2. * strength, lnSigma);
+  double twice = leftBy(2. * strength);
   double from = 0.;
   while (twice < at && 4. * strength <= most) {
     below = at;
     at = twice;
     from = strength;
     strength *= 2.;
-    twice = leftAt(2. * strength, lnSigma);
+    twice = leftBy(2. * strength);
   }
   // The vertex of the parabola through three values, by divided differences.
   const double up = (twice - at) / strength;
@@ -292,7 +274,7 @@ bool MaskSearch::searchStrength(double strength, double lnSigma)
   const double curvature = (up - down) / (2. * strength - from); // half of it
   if (std::isfinite(curvature) && curvature > 0.) {
     const double vertex = 0.5 * (strength + from) - 0.5 * down / curvature;
-    leftAt(std::clamp(vertex, 0.5 * (from + strength), 1.5 * strength), lnSigma);
+    leftBy(std::clamp(vertex, 0.5 * (from + strength), 1.5 * strength));
   }
   return true;
 }
@@ -300,15 +282,15 @@ bool MaskSearch::searchStrength(double strength, double lnSigma)
 // Narrower and wider masks of the best strength.
 void MaskSearch::searchWidth()
 {
-  const Trial start = m_trials[m_best];
+  const MaskTrial start = m_trials.best();
   for (const double direction : {-1., 1.}) {
     double before = start.left;
     for (int step = 1; step <= mostSteps; ++step) {
-      const double lnSigma = start.place[1] + direction * step * stepOfWidth;
+      const double lnSigma = start.place[1] + direction * step * m_trials.units()[1];
       if (lnSigma < std::log(leastSigma) || lnSigma > std::log(mostSigma) || start.place[0] > mostStrengthOf(lnSigma)) {
         break;
       }
-      const double left = leftAt(start.place[0], lnSigma);
+      const double left = leftAt({start.place[0], lnSigma});
       if (left >= before) {
         break;
       }
@@ -320,11 +302,11 @@ void MaskSearch::searchWidth()
 void MaskSearch::searchBoth()
 {
   for (int round = 0; round < mostRounds && !isOver(); ++round) {
-    const auto there = surface();
+    const auto there = m_trials.surface();
     if (!there) {
       return;
     }
-    const Trial &best = m_trials[m_best];
+    const MaskTrial &best = m_trials.best();
     // As far as the next trials at most.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(there->curvature);
     const Eigen::Vector2d values = axes.eigenvalues().cwiseMax(1e-3 * best.left);
@@ -332,102 +314,32 @@ void MaskSearch::searchBoth()
     Eigen::Vector2d step = -axes.eigenvectors() * along.cwiseQuotient(values);
     const double promised = -(there->slope.dot(step) + 0.5 * step.dot(there->curvature * step));
     step = step.cwiseMax(-1.).cwiseMin(1.);
-    Eigen::Vector2d place = best.place + step.cwiseProduct(units());
+    Eigen::Vector2d place = best.place + step.cwiseProduct(m_trials.units());
     place[1] = std::clamp(place[1], std::log(leastSigma), std::log(mostSigma));
     place[0] = std::min(place[0], mostStrengthOf(place[1]));
-    const auto isNear = [&](const Trial &trial) {
-      return (place - trial.place).cwiseQuotient(units()).norm() < leastStep;
-    };
-    if (0.5 * best.pixels * promised / best.left < negligible ||
-        std::any_of(m_trials.begin(), m_trials.end(), isNear)) {
+    if (0.5 * best.pixels * promised / best.left < negligible || m_trials.isNear(place, leastStep)) {
       return;
     }
     tryAt(place);
   }
 }
 
-// Steps of the coordinates about the best trial.
-Eigen::Vector2d MaskSearch::units() const
-{
-  return {0.3 * m_trials[m_best].place[0], stepOfWidth};
-}
-
-// Where a trial is, from the best one, in units(). No mask is so at any width.
-Eigen::Vector2d MaskSearch::offBest(const Trial &trial) const
-{
-  Eigen::Vector2d off = (trial.place - m_trials[m_best].place).cwiseQuotient(units());
-  if (trial.place[0] == 0.) {
-    off[1] = 0.;
-  }
-  return off;
-}
-
-// Its weight in what is fitted: the less the farther it is from the best one.
-double MaskSearch::weightOf(const Trial &trial) const
-{
-  return std::pow(m_trials[m_best].left / trial.left, 2.) / (1. + offBest(trial).squaredNorm());
-}
-
-std::optional<MaskSearch::Surface> MaskSearch::surface() const
-{
-  constexpr int coefficients = 6;
-  Eigen::Matrix<double, coefficients, coefficients> matrix =
-      1e-9 * Eigen::Matrix<double, coefficients, coefficients>::Identity();
-  Eigen::Matrix<double, coefficients, 1> right = Eigen::Matrix<double, coefficients, 1>::Zero();
-  int known = 0;
-  for (const Trial &trial : m_trials) {
-    if (!std::isfinite(trial.left)) {
-      continue;
-    }
-    const Eigen::Vector2d d = offBest(trial);
-    Eigen::Matrix<double, coefficients, 1> row;
-    row << 1., d[0], d[1], 0.5 * d[0] * d[0], d[0] * d[1], 0.5 * d[1] * d[1];
-    matrix += weightOf(trial) * row * row.transpose();
-    right += weightOf(trial) * trial.left * row;
-    ++known;
-  }
-  if (known < coefficients) {
-    return std::nullopt;
-  }
-  const Eigen::Matrix<double, coefficients, 1> c = matrix.ldlt().solve(right);
-  Surface result;
-  result.slope = c.segment<2>(1);
-  result.curvature << c[3], c[4], c[4], c[5];
-  return result;
-}
-
-// Change of the pose, (t, w), by the coordinates in units(): a plane through the poses of the trials.
-Eigen::Matrix<double, 6, 2> MaskSearch::poseSlope() const
-{
-  Eigen::Matrix3d matrix = 1e-9 * Eigen::Matrix3d::Identity();
-  Eigen::Matrix<double, 3, 6> right = Eigen::Matrix<double, 3, 6>::Zero();
-  for (const Trial &trial : m_trials) {
-    if (trial.pose) {
-      Eigen::Vector3d row;
-      row << 1., offBest(trial);
-      matrix += weightOf(trial) * row * row.transpose();
-      right += weightOf(trial) * row * trial.pose->transpose();
-    }
-  }
-  return matrix.ldlt().solve(right).bottomRows<2>().transpose();
-}
-
 SearchedMask MaskSearch::result() const
 {
-  const Trial &best = m_trials[m_best];
+  const MaskTrial &best = m_trials.best();
   SearchedMask found;
   found.mask = maskAt(best.place);
   found.pose = m_start;
   // Information of what cameras do, and of the likelihood, which is nowhere less than none; nothing of that is known
   // where too little was tried.
   Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
-  information(0, 0) = std::pow(units()[0] / (strengthOfCameras * best.place[0]), 2.);
-  information(1, 1) = std::pow(units()[1] / widthOfCameras, 2.);
-  if (const auto there = surface()) {
+  information(0, 0) = std::pow(m_trials.units()[0] / (strengthOfCameras * best.place[0]), 2.);
+  information(1, 1) = std::pow(m_trials.units()[1] / widthOfCameras, 2.);
+  if (const auto there = m_trials.surface()) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(0.5 * best.pixels / best.left * there->curvature);
     information += axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.).asDiagonal() * axes.eigenvectors().transpose();
   }
-  const Eigen::Matrix<double, 6, 2> slope = poseSlope();
+  const Eigen::Matrix<double, 6, 2> slope = m_trials.poseSlope();
   found.doubt = slope * information.inverse() * slope.transpose();
   return found;
 }

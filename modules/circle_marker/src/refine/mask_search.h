@@ -29,8 +29,8 @@
 #include <Eigen/Core>
 
 #include "refine/fitted_pose.h"
+#include "refine/mask_trials.h"
 #include "refine/unsharp_mask.h"
-#include "support/few.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -95,26 +95,8 @@ public:
   std::optional<SearchedMask> run();
 
 private:
-  static constexpr std::size_t mostTrials = 30;
-
-  /*! A mask that was tried. */
-  struct Trial
-  {
-    Eigen::Vector2d place;                             // strength, and ln of the width in pixels
-    double noise = HUGE_VAL;                           // what its fit leaves, grey levels
-    double left = HUGE_VAL;                            // sigma^2 |M|^2, grey levels^2
-    double pixels = 0.;                                // that have noise of their own
-    std::optional<Eigen::Matrix<double, 6, 1>> pose{}; // against the start: (t, w); nothing if it is the other one
-  };
-  /*! Parabola through what the trials left, about the best one, in units() of the coordinates. */
-  struct Surface
-  {
-    Eigen::Vector2d slope;
-    Eigen::Matrix2d curvature;
-  };
-
   UnsharpMask maskAt(const Eigen::Vector2d &place) const;
-  double leftAt(double strength, double lnSigma);
+  double leftAt(const Eigen::Vector2d &place);
   std::optional<FitBehind> measureBehind(const UnsharpMask &mask) const;
   double tryAt(const Eigen::Vector2d &place);
   void searchFrom(const UnsharpMask &start);
@@ -123,24 +105,18 @@ private:
   bool isExplained() const;
   bool isBetterThanNone() const;
   bool isOver() const;
-  bool searchStrength(double strength, double lnSigma);
+  bool searchStrength(const Eigen::Vector2d &start);
   void searchWidth();
   void searchBoth();
-  Eigen::Vector2d units() const;
-  Eigen::Vector2d offBest(const Trial &trial) const;
-  double weightOf(const Trial &trial) const;
-  std::optional<Surface> surface() const;
-  Eigen::Matrix<double, 6, 2> poseSlope() const;
   SearchedMask result() const;
 
   MarkerPlane m_start;
   Known m_known;
   double m_noise;
   MeasureBehind m_measureBehind;
-  Few<Trial, mostTrials> m_trials;
+  MaskTrials m_trials;
   std::optional<FittedPose> m_nearest; // where the marker was measured in the best of them
   std::optional<FittedPose> m_toned;   // the start, if it has a tone curve
-  std::size_t m_best = 0;              // of the trials
   double m_white;                      // grey level of paper beside the marker,
   double m_ink;                        // and of its ink
 };

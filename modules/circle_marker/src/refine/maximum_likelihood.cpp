@@ -61,6 +61,9 @@ enum class FitState
   SINGULAR
 };
 
+// Fewer pixels do not tell the parameters of a marker, 28 with a shadow: two for each.
+constexpr std::size_t fewestPixels = 56;
+
 // A step of the parameters, and where it leads to.
 struct Trial
 {
@@ -167,10 +170,10 @@ private:
     const Eigen::Vector2d along = lean.norm() > 0. ? Eigen::Vector2d(lean.normalized()) : Eigen::Vector2d::UnitX();
     const MarkerPlane leaning = leaningBy(m_result.plane, std::sqrt(lean.squaredNorm() + more) * along);
     const auto informationOf = [](const Equations &equations) {
-      Eigen::Matrix<double, Eigen::Dynamic, 2, 0, parameters, 2> columns(equations.used, 2);
+      Eigen::Matrix<double, Eigen::Dynamic, 2, 0, parameters, 2> columns(equations.used.end(), 2);
       columns.setZero();
       columns(3, 0) = columns(4, 1) = 1.;
-      UsedMatrix(equations.matrix.topLeftCorner(equations.used, equations.used)).ldlt().solveInPlace(columns);
+      UsedMatrix(equations.matrix.topLeftCorner(columns.rows(), columns.rows())).ldlt().solveInPlace(columns);
       return Eigen::Matrix2d(columns.middleRows<2>(3).inverse());
     };
     const Eigen::Matrix2d here = informationOf(m_equations);
@@ -191,12 +194,12 @@ private:
     ParameterMatrix damped = m_equations.matrix;
     damped.diagonal() *= 1. + m_damping;
     Trial trial;
-    trial.step = solveEquations(damped, m_equations.right, m_equations.used);
+    trial.step = solveEquations(damped, m_equations.right, m_equations.used.end());
     if (!trial.step.allFinite()) {
       return std::nullopt;
     }
     const ParameterVector whole =
-        m_damping > 0. ? solveEquations(m_equations.matrix, m_equations.right, m_equations.used) : trial.step;
+        m_damping > 0. ? solveEquations(m_equations.matrix, m_equations.right, m_equations.used.end()) : trial.step;
     trial.size = std::sqrt(whole.dot(m_equations.matrix * whole)) / m_noise;
     trial.plane = m_result.plane;
     trial.photometry = m_result.photometry;
@@ -312,7 +315,7 @@ private:
 std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const FitStart &start,
                                   const MarkerPattern &pattern, const FitSettings &settings, FitMemory &memory)
 {
-  if (pixels.size() < 2 * parameters) {
+  if (pixels.size() < fewestPixels) {
     return std::nullopt;
   }
   PoseFit fit(pixels, pattern, settings, memory);

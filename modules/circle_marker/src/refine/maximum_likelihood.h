@@ -21,19 +21,19 @@
 
   The grey level of a pixel is modelled as
   \f[ I = l \, (s \, (1 - a D))^\gamma, \quad s = 1 + s_u u + s_v v, \f]
-  with D the share of black (image_model.h), l the grey level of white paper at the marker's centre, s the light, with a
-  linear gradient, a the share of it that ink takes and \f$ \gamma \f$ the camera's gamma; where the edge of a shadow
-  falls on the marker, s falls along it. Where a marker leaves more than noise the camera's tone curve may be more than
-  a power, as most cameras raise the contrast and bend it where it is brightest: between ink and paper \f[ (1 - a
-  D)^\gamma \to p + \kappa (1 - b) w (1 - w) (1 - 2 w), \quad p = (1 - a D)^\gamma, \quad b = (1 - a)^\gamma, \quad w =
-  (p - b) / (1 - b), \f] the first curve beyond gamma's that keeps ink and paper as they are. Pose, light, ink, gamma,
-  blur, a spread of the ink common to all edges and, where it is asked for, the bend of the sheet are fitted together by
-  Levenberg-Marquardt; what the model does not explain, such as an occluder, gets no weight (Tukey's biweight). Near the
-  end of the paper a pixel sees a share of what lies beyond, too: that share moves with the pose, and how the paper is
-  cut is fitted (surround_model.h). The noise is taken from the residuals, so that the covariance is right for any
-  camera: \f$ \Sigma = s^2 (J^T W J)^{-1} \f$, its rows and columns of the pose, times what fit_conclusion.h knows of
-  pixels that share their noise, of edges that are noisier than paper and of parts of the print that pull the pose
-  apart.
+  with D the share of black (image_model.h), l the grey level of white paper at the marker's centre, s the light, with
+  a linear gradient, a the share of it that ink takes and \f$ \gamma \f$ the camera's gamma; where the edge of a
+  shadow falls on the marker, s falls along it, and where a lens darkens the corners it has terms of the second order.
+  Where a marker leaves more than noise the camera's tone curve may be more than a power, as most cameras raise the
+  contrast and bend it where it is brightest: between ink and paper \f[ (1 - a D)^\gamma \to p + \kappa (1 - b) w (1 -
+  w) (1 - 2 w), \quad p = (1 - a D)^\gamma, \quad b = (1 - a)^\gamma, \quad w = (p - b) / (1 - b), \f] the first curve
+  beyond gamma's that keeps ink and paper as they are. Pose, light, ink, gamma, blur, a spread of the ink common to
+  all edges and, where it is asked for, the bend of the sheet are fitted together by Levenberg-Marquardt; what the
+  model does not explain, such as an occluder, gets no weight (Tukey's biweight). Near the end of the paper a pixel
+  sees a share of what lies beyond, too: that share moves with the pose, and how the paper is cut is fitted
+  (surround_model.h). The noise is taken from the residuals, so that the covariance is right for any camera: \f$
+  \Sigma = s^2 (J^T W J)^{-1} \f$, its rows and columns of the pose, times what fit_conclusion.h knows of pixels that
+  share their noise, of edges that are noisier than paper and of parts of the print that pull the pose apart.
 */
 
 #ifndef VP_CIRCLE_MARKER_MAXIMUM_LIKELIHOOD_H
@@ -54,8 +54,8 @@ namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
 // Places of the parameters in vectors and matrices: twist of the pose (image_model.h), light and its gradient,
 // the ink's absorption, blur, its elongation, gamma, spread, share of the surround for each shape of the paper, how
-// the paper is cut, bend of the sheet, a shadow's factor, direction, edge and softness, tone curve. Where no pixel
-// depends on the last of them only those before are worked on.
+// the paper is cut, bend of the sheet, a shadow's factor, direction, edge and softness, tone curve, curvature of the
+// light.
 constexpr int poseSize = 6;
 constexpr int spinAt = 5;
 constexpr int lightAt = 6;
@@ -73,9 +73,39 @@ constexpr int bendSize = 3;
 constexpr int shadowAt = bendAt + bendSize;
 constexpr int shadowSize = 4;
 constexpr int toneAt = shadowAt + shadowSize;
-constexpr int parameters = toneAt + 1;
+constexpr int curvatureAt = toneAt + 1;
+constexpr int curvatureSize = 3;
+constexpr int parameters = curvatureAt + curvatureSize;
 using ParameterVector = Eigen::Matrix<double, parameters, 1>;
 using ParameterMatrix = Eigen::Matrix<double, parameters, parameters>;
+
+/*! The parameters that any pixel depends on: the others are not worked on. */
+class UsedParameters
+{
+public:
+  /*! Adds some that follow one another, after all that were added before. */
+  void add(int first, int size)
+  {
+    for (int k = 0; k < size; ++k) {
+      m_at[m_count++] = static_cast<std::size_t>(first + k);
+    }
+  }
+
+  std::size_t count() const { return m_count; }
+
+  /*! Where the k-th of them is among all. */
+  std::size_t operator[](std::size_t k) const { return m_at[k]; }
+
+  /*! After the last of them: what follows in vectors and matrices is 0. */
+  int end() const { return m_count > 0 ? static_cast<int>(m_at[m_count - 1]) + 1 : 0; }
+
+  /*! Whether they are the first ones. */
+  bool areFirst() const { return static_cast<std::size_t>(end()) == m_count; }
+
+private:
+  std::array<std::size_t, parameters> m_at = {};
+  std::size_t m_count = 0;
+};
 
 // Sums over the pixels of a direction, in whole blocks of lanes: the lower triangle of the equations' matrix, row by
 // row; and their right-hand side, the cost and what it takes to know the noise, everywhere and at edges.

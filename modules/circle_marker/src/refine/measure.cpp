@@ -67,11 +67,19 @@ RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &sett
 Photometry lightOf(const MeasuredRing &ring, const ImageFrame &frame)
 {
   const Photometry &told = ring.photometry;
-  const Eigen::Vector2d slope = told.lightGradient / ring.frame.size; // by the pixel
-  Photometry photometry;                                              // of what lies around it nothing is known
+  const Eigen::Vector2d aside = (frame.center - ring.frame.center) / ring.frame.size;
+  const double larger = frame.size / ring.frame.size;
+  const double light = told.relativeLightAt(aside);
+  Photometry photometry; // of what lies around it nothing is known
   photometry.white = ring.whiteAt(frame.center);
-  photometry.lightGradient =
-      frame.size * slope / std::max(1. + slope.dot(frame.center - ring.frame.center), leastLight);
+  photometry.lightGradient = larger / light * told.lightGradient;
+  if (told.lightCurvature) {
+    const Eigen::Vector3d &bend = *told.lightCurvature;
+    photometry.lightGradient +=
+        larger / light *
+        Eigen::Vector2d(2. * bend[0] * aside.x() + bend[1] * aside.y(), bend[1] * aside.x() + 2. * bend[2] * aside.y());
+    photometry.lightCurvature = larger * larger / light * bend;
+  }
   photometry.absorption = told.absorption;
   photometry.gamma = told.gamma;
   photometry.toneCurve = told.toneCurve;

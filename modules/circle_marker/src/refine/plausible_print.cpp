@@ -41,6 +41,9 @@ constexpr double leastSizeOfAnyGamma = 20.;
 // SheetBend.
 constexpr double mostSpread = 0.03;
 constexpr double mostBend = 0.12;
+// Light that bends by more than this from a marker's centre to its rim is no lens's: a cosine^4 does over 300 pixels
+// before one of 600.
+constexpr double mostCurvature = 0.5;
 // And by a blur nearly as wide as the marker: its standard deviation in outer radii. That of a motion by half a radius
 // is a third of this, that of a disc of as much three fifths. (Stripes were explained by 0.49.)
 constexpr double mostBlur = 0.43;
@@ -76,8 +79,8 @@ constexpr double slackOfCoarse = 2.;
 // Whether there are light, ink and paper as the fit has them.
 bool isPlausible(const FittedPose &fit, const MarkerInImage &view)
 {
-  // The light's change from the centre to where two radii of the ring end that are conjugate in its image: no more than
-  // their root sum of squares is it anywhere on the ring.
+  // The change of the light, without what it bends, from the centre to where two radii of the ring end that are
+  // conjugate in its image: no more than their root sum of squares is it anywhere on the ring.
   Eigen::Vector2d change;
   for (int i = 0; i < 2; ++i) {
     const Eigen::Vector2d end = view.camera.toPixel(fit.plane.project(Eigen::Vector2d::Unit(i)));
@@ -85,7 +88,8 @@ bool isPlausible(const FittedPose &fit, const MarkerInImage &view)
   }
   const double nearer = view.marker.poses[0].center.norm() / fit.plane.center.norm();
   const SheetBend &bend = fit.plane.bend;
-  return change.norm() < 1. && fit.photometry.contrast() < mostContrast &&
+  const double curvature = fit.photometry.lightCurvature ? fit.photometry.lightCurvature->norm() : 0.;
+  return change.norm() < 1. && curvature < mostCurvature && fit.photometry.contrast() < mostContrast &&
          std::abs(fit.photometry.blur.spread) < mostSpread && std::hypot(bend.bow, bend.saddle.norm()) < mostBend &&
          fit.photometry.blur.widest() < mostBlur * view.frame.size && std::max(nearer, 1. / nearer) < mostNearer;
 }

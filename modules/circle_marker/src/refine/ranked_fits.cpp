@@ -160,6 +160,32 @@ RankedFits withMirrored(const std::vector<FitPixel> &pixels, const RankedFits &r
   return both;
 }
 
+RankedFits fitExtended(const std::vector<FitPixel> &pixels, const RankedFits &fits, const LightExtension &extension,
+                       const MarkerPattern &pattern, FitSettings settings, Fitter &fitter)
+{
+  settings.samePixels = true;
+  Few<FitStart> starts;
+  for (const FittedPose &fit : fits.fits) {
+    Photometry light = fit.photometry;
+    extension.extend(light);
+    starts.push_back({fit.plane, light, fits.noise});
+  }
+  Few<FittedPose> extended = fitAll(pixels, starts, pattern, settings, fitter);
+  extended.push_back(fits.fits[0]);
+  RankedFits ranked = rank(pixels, pattern, true, extended, fitter);
+  const FittedPose &best = ranked.fits[0];
+  const auto isWithout = [&](const FittedPose &fit) { return !extension.has(fit.photometry); };
+  FittedPose *const last = std::find_if(ranked.fits.begin(), ranked.fits.end(), isWithout);
+  if (last == ranked.fits.end() || isWithout(best) || !extension.isPossible(best.photometry) ||
+      costOf(last->squares - best.squares, ranked.noise, best.sharing) / best.edgeNoise < extension.leastGain) {
+    return fits;
+  }
+  std::rotate(last, last + 1, ranked.fits.end());
+  ranked.fits.pop_back();
+  keepTwo(ranked);
+  return ranked.fits.size() > 1 ? ranked : withMirrored(pixels, ranked, pattern, settings, fitter);
+}
+
 bool isSameLight(const Photometry &p, const Photometry &q)
 {
   return std::abs(p.blur.sigma - q.blur.sigma) < sameLight && std::abs(p.gamma - q.gamma) < sameGamma * p.gamma;

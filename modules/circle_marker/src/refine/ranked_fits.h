@@ -72,6 +72,28 @@ void keepTwo(RankedFits &ranked);
 RankedFits withMirrored(const std::vector<FitPixel> &pixels, const RankedFits &ranked, const MarkerPattern &pattern,
                         const FitSettings &settings, Fitter &fitter);
 
+/*! More that the model of the light may have. */
+struct LightExtension
+{
+  void (*extend)(Photometry &light) = nullptr;           //!< Adds it, doing nothing yet.
+  bool (*has)(const Photometry &light) = nullptr;        //!< Whether a light has it.
+  bool (*isPossible)(const Photometry &light) = nullptr; //!< Whether a camera and a lamp do what a light has of it.
+  double leastGain = 0.; //!< Log-odds by which it has to explain the pixels better than a light without.
+};
+
+/*!
+  Fits both poses with more of the light.
+  \param pixels : The pixels, those that the fitter has.
+  \param fits : Those without, at least one.
+  \param extension : What more.
+  \param pattern : The print.
+  \param settings : Of these fits.
+  \param fitter : Fits.
+  \return The fits with it, or those without if they explain the pixels as well.
+*/
+RankedFits fitExtended(const std::vector<FitPixel> &pixels, const RankedFits &fits, const LightExtension &extension,
+                       const MarkerPattern &pattern, FitSettings settings, Fitter &fitter);
+
 /*! Whether two fits stand in the same light and are equally sharp: if not, one of them is not at its minimum. */
 bool isSameLight(const Photometry &p, const Photometry &q);
 

@@ -43,14 +43,17 @@ constexpr std::size_t groupsToFlush = 8;
 class Sums
 {
 public:
-  // used: number of parameters that any pixel depends on, the first ones; formsProducts: whether the products for the
-  // matrix are wanted.
-  Sums(PassSums &sums, std::size_t used, bool formsProducts)
-      : m_used(used), m_products(formsProducts ? used * (used + 1) / 2 : 0), m_sums(sums)
+  // used: parameters that are summed up; formsProducts: whether the products for the matrix are wanted.
+  Sums(PassSums &sums, const UsedParameters &used, bool formsProducts)
+      : m_parameters(used), m_used(used.count()), m_products(formsProducts ? m_used * (m_used + 1) / 2 : 0),
+        m_sums(sums)
   {
     m_sums.pulls.clear();
     if (formsProducts) {
       m_sums.products.clear();
+    }
+    for (RowLanes &row : m_rows) { // parameters that no pixel depends on stay so
+      row.fill(Lanes::Zero());
     }
     clear();
   }
@@ -65,7 +68,12 @@ public:
       flush();
       m_direction = direction;
     }
-    const RowLanes &row = m_rows[m_pending];
+    RowLanes &row = m_rows[m_pending];
+    if (!m_parameters.areFirst()) {
+      for (std::size_t i = 0; i < m_used; ++i) {
+        row[i] = row[m_parameters[i]];
+      }
+    }
     RowLanes &weighted = m_weighted[m_pending];
     for (std::size_t i = 0; i < m_used; ++i) {
       weighted[i] = loss.weight * row[i];
@@ -99,16 +107,16 @@ public:
     if (m_products > 0) {
       const ProductSums total = totalOf(m_sums.products);
       std::size_t k = 0;
-      for (int i = 0; i < parameters; ++i) {
-        for (int j = 0; j <= i; ++j) {
-          equations.matrix(i, j) = total[k++];
-          equations.matrix(j, i) = equations.matrix(i, j);
+      for (std::size_t i = 0; i < m_used; ++i) {
+        for (std::size_t j = 0; j <= i; ++j) {
+          equations.matrix(at(i), at(j)) = total[k++];
+          equations.matrix(at(j), at(i)) = equations.matrix(at(i), at(j));
         }
       }
     }
     const PullSums total = totalOf(m_sums.pulls);
-    for (int i = 0; i < parameters; ++i) {
-      equations.right[i] = total[static_cast<std::size_t>(i)];
+    for (std::size_t i = 0; i < m_used; ++i) {
+      equations.right[at(i)] = total[i];
     }
     equations.cost = total[costAt];
     equations.squares = total[squaresAt];
@@ -125,6 +133,8 @@ private:
   static constexpr std::size_t steepnessAt = costAt + 3;
   static constexpr std::size_t squaredSteepnessAt = costAt + 4;
   static constexpr std::size_t steepSquaresAt = costAt + 5;
+
+  Eigen::Index at(std::size_t k) const { return static_cast<Eigen::Index>(m_parameters[k]); }
 
   template <class Numbers> static Numbers totalOf(const std::vector<Numbers> &all)
   {
@@ -232,8 +242,9 @@ private:
   std::array<Lanes, std::tuple_size<PullSums>::value> m_pullLanes;
   std::array<RowLanes, blocksOfGroup> m_rows;
   std::array<RowLanes, blocksOfGroup> m_weighted;
-  const std::size_t m_used;     // parameters
-  const std::size_t m_products; // of these; none if they are not wanted
+  const UsedParameters m_parameters;
+  const std::size_t m_used;     // of these
+  const std::size_t m_products; // of them; none if they are not wanted
   std::size_t m_pending = 0;    // blocks of the present group
   std::size_t m_groups = 0;     // since the last flush
   std::size_t m_direction = 0;  // of the first of them

@@ -49,7 +49,7 @@ bool mayHaveToneCurve(const FittedPose &fit, std::size_t pixels, double size, do
   \return The fits with it, or those without if they explain the pixels as well.
 */
 RankedFits fitToneCurve(const std::vector<FitPixel> &pixels, const RankedFits &fits, const MarkerPattern &pattern,
-                        FitSettings settings, Fitter &fitter);
+                        const FitSettings &settings, Fitter &fitter);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -32,10 +32,14 @@ constexpr int sideOfBlock = 8;
 constexpr int pixelsOfBlock = sideOfBlock * sideOfBlock;
 constexpr std::size_t mostBlocks = 256;
 constexpr std::size_t leastBlocks = 30;
-// The share of blocks that is taken for flat, since photographs seldom have more of them, and the quantile of a normal
-// distribution that has as much below it.
+// The share of blocks that is taken for flat, since photographs seldom have more of them.
 constexpr double flatShare = 0.1;
-constexpr double flatQuantile = -1.2816;
+// With edges in this share of the blocks a frame is full of them.
+constexpr double edgeShare = 0.2;
+// Of how many blocks they are the flattest is counted by those that differ from them by no more than this many standard
+// deviations of chance, and again with what that has told. (Three rounds are within 1 % of where it ends.)
+constexpr double mostChance = 2.;
+constexpr int rounds = 3;
 // By how much the variance of other flat blocks is more than that of the flattest tenth at most: where nine pixels
 // share their noise nine in ten have less.
 constexpr double mostOfFlattest = 4.;
@@ -164,6 +168,35 @@ double likenessOf(const vpImage<unsigned char> &I, const std::array<Block, mostB
   }
   return 0.5 * difference / variance;
 }
+
+// Quantile of a normal distribution, by Tukey's lambda distribution that is nearest to it: within 0.003 from 0.1 to
+// 0.9.
+double normalQuantile(double probability)
+{
+  constexpr double lambda = 0.135;
+  return (std::pow(probability, lambda) - std::pow(1. - probability, lambda)) / 0.1975;
+}
+
+// Variance of the pixels of flat blocks, as the flattest have less by chance, the more so the more pixels share their
+// noise, and the more flat blocks there are.
+double varianceOfFlat(const std::array<Block, mostBlocks> &blocks, std::size_t count, double flattest, double sharing)
+{
+  // Quantiles of chi^2 / n by Wilson and Hilferty (Proceedings of the National Academy of Sciences 17, 1931).
+  const double perFreedom = 2. / 9. * sharing / (pixelsOfBlock - 3);
+  const auto byChance = [&](double deviations) {
+    return std::pow(1. - perFreedom + deviations * std::sqrt(perFreedom), 3.);
+  };
+  double share = 1.; // of the blocks that are flat
+  double variance = flattest / byChance(normalQuantile(flatShare));
+  for (int round = 0; round < rounds; ++round) {
+    const auto end = blocks.begin() + static_cast<std::ptrdiff_t>(count);
+    const double most = byChance(mostChance) * variance;
+    const auto flat = std::count_if(blocks.begin(), end, [&](const Block &block) { return block.variance <= most; });
+    share = std::clamp(static_cast<double>(flat) / static_cast<double>(count), 2. * flatShare, share);
+    variance = flattest / byChance(normalQuantile(flatShare / share));
+  }
+  return variance;
+}
 } // namespace
 
 std::optional<FlatBlocks> findFlatBlocks(const vpImage<unsigned char> &I)
@@ -179,12 +212,15 @@ std::optional<FlatBlocks> findFlatBlocks(const vpImage<unsigned char> &I)
   const auto tenth = first + static_cast<std::ptrdiff_t>(flatShare * static_cast<double>(count));
   const auto middle = first + static_cast<std::ptrdiff_t>(count / 2);
   const auto isFlatter = [](const Block &p, const Block &q) { return p.variance < q.variance; };
-  std::nth_element(first, middle, end, isFlatter);
+  const auto upper = first + static_cast<std::ptrdiff_t>((1. - edgeShare) * static_cast<double>(count));
+  std::nth_element(first, upper, end, isFlatter);
+  std::nth_element(first, middle, upper, isFlatter);
   std::nth_element(first, tenth, middle, isFlatter);
   std::nth_element(first, few, tenth, isFlatter);
 
   FlatBlocks flat;
   flat.medianVariance = middle->variance;
+  flat.upperVariance = upper->variance;
   if (few->variance >= leastOfFew && few->variance < leastOfTenth * tenth->variance) {
     flat.variance = few->variance;
     return flat;
@@ -201,10 +237,7 @@ std::optional<FlatBlocks> findFlatBlocks(const vpImage<unsigned char> &I)
   }
   flat.likeness = likenessOf(I, blocks, count, mostOfFlattest * tenth->variance);
   flat.sharing = std::clamp(0.25 * pixelsOfBlock * sum.ofQuarters / sum.variance, 1., mostSharing);
-  // The flattest tenth has less than the others by chance, the more so the more pixels share their noise: the quantile
-  // of chi^2 / n by Wilson and Hilferty (Proceedings of the National Academy of Sciences 17, 1931).
-  const double perFreedom = 2. / 9. * flat.sharing / (pixelsOfBlock - 3);
-  flat.variance = tenth->variance / std::pow(1. - perFreedom + flatQuantile * std::sqrt(perFreedom), 3.);
+  flat.variance = varianceOfFlat(blocks, count, tenth->variance, flat.sharing);
   return flat;
 }
 } // namespace circle_marker

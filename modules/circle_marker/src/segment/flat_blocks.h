@@ -36,6 +36,7 @@ struct FlatBlocks
   */
   double likeness = 0.;
   double medianVariance = 0.; //!< Of a pixel of the median block, grey levels^2.
+  double upperVariance = 0.;  //!< Of the block that a fifth of them exceed.
 };
 
 /*!
