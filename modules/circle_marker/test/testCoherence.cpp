@@ -252,15 +252,12 @@ TEST(Coherence, TheLastStepIsNoPull)
     likelihood.setPixels(made.pixels, beside, fit->photometry, noise);
     const Equations equations = likelihood.linearise(beside, fit->photometry, noise);
     likelihood.keepResiduals();
-    PoseInfluence influence = PoseInfluence::Zero();
-    const UsedParameters &parametersUsed = equations.used;
-    const int used = parametersUsed.end();
-    influence.leftCols(used) =
-        Eigen::MatrixXd(equations.matrix.topLeftCorner(used, used)).inverse().topRows<poseSize>();
-    const ParameterVector step = solveEquations(equations.matrix, equations.right, used);
-    withStep += likelihood.coherentCovariance(influence, step, noise, parametersUsed).ratio > 1. ? 1 : 0;
-    withoutStep +=
-        likelihood.coherentCovariance(influence, ParameterVector::Zero(), noise, parametersUsed).ratio > 1. ? 1 : 0;
+    const PoseInfluence influence =
+        Eigen::MatrixXd(usedPart(equations.matrix, equations.used)).inverse().topRows<poseSize>();
+    const UsedVector step = usedPart(solveEquations(equations.matrix, equations.right, equations.used), equations.used);
+    const UsedVector none = UsedVector::Zero(step.size());
+    withStep += likelihood.coherentCovariance(influence, step, noise).ratio > 1. ? 1 : 0;
+    withoutStep += likelihood.coherentCovariance(influence, none, noise).ratio > 1. ? 1 : 0;
   }
   EXPECT_LE(withStep, 2);
   EXPECT_EQ(withoutStep, count);

@@ -116,8 +116,9 @@ TEST(ImageNoise, StepsAreNoNoise)
         4);
     const vpImage<unsigned char> clean = digitise(exposed, 0., random);
     EXPECT_LT(independentNoiseOf(clean), 0.1);
+    // Coarse: an image of 320 x 240 has only 1200 samples, which fix a median to 3.4 %.
     const vpImage<unsigned char> noisy = digitise(exposed, 5., random);
-    EXPECT_NEAR(independentNoiseOf(noisy), withRounding(5.), 0.06 * 5.);
+    EXPECT_NEAR(independentNoiseOf(noisy), withRounding(5.), 0.13 * 5.);
   }
 }
 

@@ -55,14 +55,14 @@ struct Part
 
 using Parts = std::array<Part, directions>;
 
-// The influence times a part's matrix, of which the triangle is given, row by row, of so many parameters.
-PoseInfluence movedBy(const ProductSums &products, const PoseInfluence &influence, int used)
+// The influence times a part's matrix, of which the triangle is given, row by row.
+PoseInfluence movedBy(const ProductSums &products, const PoseInfluence &influence)
 {
-  PoseInfluence moved;
+  PoseInfluence moved(poseSize, influence.cols());
   std::size_t k = 0;
-  for (int i = 0; i < used; ++i) {
+  for (Eigen::Index i = 0; i < influence.cols(); ++i) {
     PoseColumn sum = PoseColumn::Zero();
-    for (int j = 0; j < i; ++j) {
+    for (Eigen::Index j = 0; j < i; ++j) {
       sum += products[k] * influence.col(j);
       moved.col(j) += products[k++] * influence.col(i);
     }
@@ -71,18 +71,16 @@ PoseInfluence movedBy(const ProductSums &products, const PoseInfluence &influenc
   return moved;
 }
 
-// influence: in these coordinates; step: the last one from where the sums were made; both of the parameters that are
-// used, one after another; used: how many.
-Part partOf(const ProductSums &products, const PullSums &pulls, const PoseInfluence &influence,
-            const ParameterVector &step, int used)
+// influence: in these coordinates; step: the last one from where the sums were made.
+Part partOf(const ProductSums &products, const PullSums &pulls, const PoseInfluence &influence, const UsedVector &step)
 {
   Part part;
   part.isSeen = products[0] > 0.;
   if (!part.isSeen) {
     return part;
   }
-  const PoseInfluence moved = movedBy(products, influence, used);
-  for (int i = 0; i < used; ++i) {
+  const PoseInfluence moved = movedBy(products, influence);
+  for (Eigen::Index i = 0; i < step.size(); ++i) {
     part.motion += pulls[static_cast<std::size_t>(i)] * influence.col(i) - step[i] * moved.col(i);
     part.information += moved.col(i).lazyProduct(influence.col(i).transpose());
   }
@@ -146,8 +144,8 @@ PoseMatrix widened(const PoseMatrix &root, const Excess &excess)
 }
 } // namespace
 
-CoherentCovariance Likelihood::coherentCovariance(const PoseInfluence &influence, const ParameterVector &step,
-                                                  double noise, const UsedParameters &used) const
+CoherentCovariance Likelihood::coherentCovariance(const PoseInfluence &influence, const UsedVector &step,
+                                                  double noise) const
 {
   CoherentCovariance coherent = {influence.leftCols<poseSize>(), 1.};
   const int fitted = m_settings.spinIsKnown ? poseSize : spinAt;
@@ -159,16 +157,10 @@ CoherentCovariance Likelihood::coherentCovariance(const PoseInfluence &influence
   }
   PoseInfluence even = root.triangularView<Eigen::Lower>().solve(influence);
   even.bottomRows(poseSize - fitted).setZero();
-  ParameterVector usedStep = ParameterVector::Zero();
-  for (std::size_t k = 0; k < used.count(); ++k) { // in their order: none is overwritten before it is read
-    even.col(static_cast<Eigen::Index>(k)) = even.col(static_cast<Eigen::Index>(used[k])).eval();
-    usedStep[static_cast<Eigen::Index>(k)] = step[static_cast<Eigen::Index>(used[k])];
-  }
   Parts parts;
   const std::size_t seen = std::min(m_memory.sums.products.size(), directions);
   for (std::size_t k = 0; k < seen; ++k) {
-    parts[k] =
-        partOf(m_memory.sums.products[k], m_memory.sums.pulls[k], even, usedStep, static_cast<int>(used.count()));
+    parts[k] = partOf(m_memory.sums.products[k], m_memory.sums.pulls[k], even, step);
   }
   std::size_t count = directions;
   const Excess finest = excessOf(parts, count, fitted, noise);

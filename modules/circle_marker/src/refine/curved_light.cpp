@@ -22,27 +22,31 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// chi^2 of three degrees of freedom: more by chance once in a hundred markers. Of normal noise the biweight's pulls
-// have this share of the variance that they are compared with (pullOfNoise).
-constexpr double clearOfChance = 11.34;
+// chi^2 of three degrees of freedom: more by chance once in four hundred markers, and once in a hundred with what any
+// model lacks. Of normal noise the biweight's pulls have this share of the variance that they are compared with
+// (pullOfNoise).
+constexpr double clearOfChance = 14.3;
 constexpr double shareOfPulls = 0.66;
-// By so much, ln, the light that bends has to explain the pixels better in the end: half of that chi^2, less what the
-// noise, which is another then, makes of it.
-constexpr double leastGain = 4.;
+// All pixels are asked where so many of them say more than this, as they do of every fourth marker by chance.
+constexpr std::size_t fewPixels = 1000;
+constexpr double worthAsking = 4.1;
+// By so much, ln, the light that bends has to explain all pixels better: chi^2 of 12.
+constexpr double leastGain = 6.;
 // And bend downward in one direction by so much at least, from the centre to the rim, share of the light: less is
 // chance.
 constexpr double leastFall = 0.001;
 } // namespace
 
 bool isLightCurved(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
-                   FitSettings settings, Fitter &fitter)
+                   const FitSettings &settings, Fitter &fitter)
 {
-  settings.mostIterations = 0; // what a step would gain is asked for, not the step
-  settings.samePixels = true;
-  FitStart start = {fit.plane, fit.photometry, fit.scale};
-  start.photometry->lightCurvature = Eigen::Vector3d::Zero();
-  const auto there = fitter.fitPose(pixels, start, pattern, settings);
-  return there && there->decrement > clearOfChance * shareOfPulls * there->sharing * there->noise * there->noise;
+  Photometry light = fit.photometry;
+  light.lightCurvature = Eigen::Vector3d::Zero();
+  const double unit = shareOfPulls * fit.sharing * fit.noise * fit.noise; // of chi^2, grey levels^2
+  const auto asked = [&](std::size_t count) {
+    return fitter.promisedSquares(pixels, fit, light, pattern, settings, count) / unit;
+  };
+  return (pixels.size() < 2 * fewPixels || asked(fewPixels) > worthAsking) && asked(pixels.size()) > clearOfChance;
 }
 
 bool fallsOff(const Photometry &light)

@@ -33,7 +33,7 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  Whether the pixels ask for light that bends, more than chance does once in a hundred markers: Rao's score test.
+  Whether the pixels ask for light that bends, more than chance does once in some hundred markers: Rao's score test.
   \param pixels : The pixels, those that the fitter has.
   \param fit : The fit, with a plane for its light.
   \param pattern : The print.
@@ -41,7 +41,7 @@ namespace circle_marker {
   \param fitter : Evaluates it once.
 */
 bool isLightCurved(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
-                   FitSettings settings, Fitter &fitter);
+                   const FitSettings &settings, Fitter &fitter);
 
 /*!
   Whether the light falls off as before a lens: across the way from wherever it is brightest it always does, along it

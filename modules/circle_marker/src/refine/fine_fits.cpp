@@ -42,8 +42,9 @@ constexpr int mostTwins = 2;
 // Plain rings below this radius, pixels, are fitted without a tone curve: one of 6 pixels and a ratio of 0.5 was found
 // as that of 0.8 with one.
 constexpr double leastTonedRing = 10.;
-// Below this radius, pixels, the light bends by less than a tenth of a grey level before a lens of 1000 pixels.
-constexpr double leastInCurvedLight = 20.;
+// Below this radius, pixels, light that bends as before a lens of 800 pixels costs no truth of the covariance that
+// shows.
+constexpr double leastInCurvedLight = 30.;
 // With light that bends hardly more than noise is left, up to this factor beyond two standard deviations of chance:
 // what leaves more has another reason. (Beside black that a camera has sharpened two times by 2 pixels, clipped, three
 // of 200 were taken for such light, and their poses were off by 18 standard deviations.)

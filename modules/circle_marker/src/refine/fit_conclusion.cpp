@@ -107,24 +107,24 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
   result.inliers = explanation.inliers;
   result.correlation = explanation.correlation;
   // The pose's columns of the inverse, and the step that would be next.
-  const int end = equations.used.end();
-  Eigen::Matrix<double, Eigen::Dynamic, poseSize + 1, 0, parameters, poseSize + 1> columns(end, poseSize + 1);
-  columns.setIdentity();
-  columns.col(poseSize) = equations.right.head(end);
-  UsedMatrix(equations.matrix.topLeftCorner(end, end)).ldlt().solveInPlace(columns);
+  const UsedVector right = usedPart(equations.right, equations.used);
+  const Eigen::Index used = right.size();
+  Eigen::Matrix<double, Eigen::Dynamic, poseSize + 1, 0, parameters, poseSize + 1> columns(used, poseSize + 1);
+  columns.setIdentity(); // the pose's parameters are used, and first
+  columns.col(poseSize) = right;
+  usedPart(equations.matrix, equations.used).ldlt().solveInPlace(columns);
   if (!columns.allFinite()) {
     return false;
   }
-  result.decrement = equations.right.head(end).dot(columns.col(poseSize));
-  PoseInfluence influence = PoseInfluence::Zero();
-  influence.leftCols(end) = columns.leftCols<poseSize>().transpose();
+  result.decrement = right.dot(columns.col(poseSize));
+  PoseInfluence influence = columns.leftCols<poseSize>().transpose();
   Eigen::Matrix<double, 6, 6> covariance = positive(influence.leftCols<poseSize>());
   influence.leftCols<poseSize>() = covariance;
   if (settings.exactBends) {
     result.edgeNoise = mayHaveNoisyEdges(settings) ? noiseAtEdges(equations, result.noise) : 1.;
     // What the parts pull is compared with what edges are off by: then that is not counted twice.
     const double shared = result.noise * std::sqrt(result.edgeNoise * result.sharing);
-    const CoherentCovariance coherent = fit.coherentCovariance(influence, lastStep, shared, equations.used);
+    const CoherentCovariance coherent = fit.coherentCovariance(influence, usedPart(lastStep, equations.used), shared);
     result.coherence = coherent.ratio;
     covariance = result.edgeNoise * coherent.covariance;
   }

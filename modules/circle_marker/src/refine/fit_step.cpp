@@ -67,10 +67,34 @@ Eigen::Vector3d curvatureOf(const Photometry &photometry)
 }
 } // namespace
 
-ParameterVector solveEquations(const ParameterMatrix &matrix, const ParameterVector &right, Eigen::Index used)
+UsedMatrix usedPart(const ParameterMatrix &matrix, const UsedParameters &used)
 {
+  const auto count = static_cast<Eigen::Index>(used.count());
+  UsedMatrix part(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < count; ++j) {
+      part(j, i) = matrix(used.at(j), used.at(i));
+    }
+  }
+  return part;
+}
+
+UsedVector usedPart(const ParameterVector &vector, const UsedParameters &used)
+{
+  UsedVector part(static_cast<Eigen::Index>(used.count()));
+  for (Eigen::Index k = 0; k < part.size(); ++k) {
+    part[k] = vector[used.at(k)];
+  }
+  return part;
+}
+
+ParameterVector solveEquations(const ParameterMatrix &matrix, const ParameterVector &right, const UsedParameters &used)
+{
+  const UsedVector part = usedPart(matrix, used).ldlt().solve(usedPart(right, used));
   ParameterVector solution = ParameterVector::Zero();
-  solution.head(used) = UsedMatrix(matrix.topLeftCorner(used, used)).ldlt().solve(right.head(used));
+  for (Eigen::Index k = 0; k < part.size(); ++k) {
+    solution[used.at(k)] = part[k];
+  }
   return solution;
 }
 

@@ -31,8 +31,14 @@ inline namespace CIRCLE_MARKER_LANES {
 /*! Matrix of the parameters that any pixel depends on. */
 using UsedMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, parameters, parameters>;
 
-/*! Solves the equations of the first \e used parameters; the others stay as they are. */
-ParameterVector solveEquations(const ParameterMatrix &matrix, const ParameterVector &right, Eigen::Index used);
+using UsedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, parameters, 1>;
+
+/*! Rows and columns of these parameters, one after another. */
+UsedMatrix usedPart(const ParameterMatrix &matrix, const UsedParameters &used);
+UsedVector usedPart(const ParameterVector &vector, const UsedParameters &used);
+
+/*! Solves the equations of these parameters; the others stay as they are. */
+ParameterVector solveEquations(const ParameterMatrix &matrix, const ParameterVector &right, const UsedParameters &used);
 
 /*! Changes pose and light by a step of the parameters; what has bounds stays within them. */
 void applyStep(const ParameterVector &step, MarkerPlane &plane, Photometry &photometry);

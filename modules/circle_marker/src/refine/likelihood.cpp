@@ -188,15 +188,21 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
 
 Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &photometry, double noise)
 {
-  return pass(plane, photometry, noise, true);
+  return pass(plane, photometry, noise, true, 1);
 }
 
 Equations Likelihood::pull(const MarkerPlane &plane, const Photometry &photometry, double noise)
 {
-  return pass(plane, photometry, noise, false);
+  return pass(plane, photometry, noise, false, 1);
 }
 
-Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts)
+Equations Likelihood::sample(const MarkerPlane &plane, const Photometry &photometry, double noise, std::size_t every)
+{
+  return pass(plane, photometry, noise, true, every);
+}
+
+Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts,
+                           std::size_t every)
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks, m_settings.bend);
   SurroundModel beyond(plane, m_pattern.paper, photometry, m_memory.blocks, m_settings.bend);
@@ -209,6 +215,12 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
   std::size_t k = 0;
   PixelSight last = PixelSight::RING;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
+    k = sight == last ? k : 0;
+    last = sight;
+    const std::size_t direction = m_memory.blocks.direction[static_cast<std::size_t>(sight)][k];
+    if (k++ % every != 0) {
+      return;
+    }
     model.evaluate(block, sight, darkness);
     const SurroundLanes *surround = beyond.at(block);
     const GreyLanes grey = greyOf(block, surround, photometry, darkness.value);
@@ -227,9 +239,6 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
     // A shift of the print in its plane moves all edges.
     const Lanes steepness = sums.row()[0].square() + sums.row()[1].square();
     m_memory.trialSteepness.push_back(steepness);
-    k = sight == last ? k : 0;
-    last = sight;
-    const std::size_t direction = m_memory.blocks.direction[static_cast<std::size_t>(sight)][k++];
     // Coherence is not asked for where bends are not corrected: it is for a final fit.
     sums.add(grey.residual, loss, steepness, m_settings.exactBends ? direction : 0);
   });

@@ -29,6 +29,7 @@
 
 #include <vector>
 
+#include "refine/fit_step.h"
 #include "refine/image_model.h"
 #include "refine/maximum_likelihood.h"
 #include "support/sensor_range.h"
@@ -69,9 +70,9 @@ struct Explanation
   double inliers = 0.;     //!< Share of the pixels that the model explains, in [0, 1].
 };
 
-/*! How far a pull of each parameter moves the pose, when all others follow: the pose's rows of the inverse of the
-    equations' matrix. */
-using PoseInfluence = Eigen::Matrix<double, poseSize, parameters>;
+/*! How far a pull of each parameter that is used moves the pose, when all others follow: the pose's rows of the
+    inverse of the equations' matrix. */
+using PoseInfluence = Eigen::Matrix<double, poseSize, Eigen::Dynamic, 0, poseSize, parameters>;
 
 /*! Covariance of the pose by what neighbouring pixels pull together: Likelihood::coherentCovariance(). */
 struct CoherentCovariance
@@ -107,11 +108,17 @@ public:
   /*! Light and contrast that explain the image best at a pose, by linear least squares; false if there is no print. */
   bool startPhotometry(const MarkerPlane &plane, Photometry &photometry) const;
 
+  /*! The parameters that the pixels depend on, in some light. */
+  UsedParameters usedBy(const Photometry &photometry) const;
+
   /*! One pass over the pixels. */
   Equations linearise(const MarkerPlane &plane, const Photometry &photometry, double noise);
 
   /*! The same with the matrix of the last pass of linearise() that was kept: the parameters are near those. */
   Equations pull(const MarkerPlane &plane, const Photometry &photometry, double noise);
+
+  /*! The same as linearise() of every so many of the pixels' blocks, in which all directions are seen. */
+  Equations sample(const MarkerPlane &plane, const Photometry &photometry, double noise, std::size_t every);
 
   /*! Their cost alone. */
   double cost(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
@@ -126,12 +133,10 @@ public:
     ratio of both, and in the directions in which the sandwich is wider than that, by as much as that is: the print is
     bent, moved or lit in a way that the model does not know.
     \param influence : By the equations kept.
-    \param step : Last step from where these were made.
+    \param step : Last step from where these were made, of the parameters that are used.
     \param noise : Grey levels.
-    \param used : The parameters of these equations.
   */
-  CoherentCovariance coherentCovariance(const PoseInfluence &influence, const ParameterVector &step, double noise,
-                                        const UsedParameters &used) const;
+  CoherentCovariance coherentCovariance(const PoseInfluence &influence, const UsedVector &step, double noise) const;
 
   /*! The residuals at a pose, without equations. */
   void evaluate(const MarkerPlane &plane, const Photometry &photometry);
@@ -153,8 +158,8 @@ public:
   Explanation explain(double noise, double lacking) const;
 
 private:
-  Equations pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts);
-  UsedParameters usedBy(const Photometry &photometry) const;
+  Equations pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts,
+                 std::size_t every);
   double spreadPriorOf(const MarkerPlane &plane, const Photometry &photometry) const;
   double priorCost(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
   void constrain(const MarkerPlane &plane, const Photometry &photometry, double noise, Equations &equations) const;

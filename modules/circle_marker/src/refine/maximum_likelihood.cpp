@@ -170,10 +170,11 @@ private:
     const Eigen::Vector2d along = lean.norm() > 0. ? Eigen::Vector2d(lean.normalized()) : Eigen::Vector2d::UnitX();
     const MarkerPlane leaning = leaningBy(m_result.plane, std::sqrt(lean.squaredNorm() + more) * along);
     const auto informationOf = [](const Equations &equations) {
-      Eigen::Matrix<double, Eigen::Dynamic, 2, 0, parameters, 2> columns(equations.used.end(), 2);
+      const UsedMatrix matrix = usedPart(equations.matrix, equations.used);
+      Eigen::Matrix<double, Eigen::Dynamic, 2, 0, parameters, 2> columns(matrix.rows(), 2);
       columns.setZero();
       columns(3, 0) = columns(4, 1) = 1.;
-      UsedMatrix(equations.matrix.topLeftCorner(columns.rows(), columns.rows())).ldlt().solveInPlace(columns);
+      matrix.ldlt().solveInPlace(columns);
       return Eigen::Matrix2d(columns.middleRows<2>(3).inverse());
     };
     const Eigen::Matrix2d here = informationOf(m_equations);
@@ -194,12 +195,12 @@ private:
     ParameterMatrix damped = m_equations.matrix;
     damped.diagonal() *= 1. + m_damping;
     Trial trial;
-    trial.step = solveEquations(damped, m_equations.right, m_equations.used.end());
+    trial.step = solveEquations(damped, m_equations.right, m_equations.used);
     if (!trial.step.allFinite()) {
       return std::nullopt;
     }
     const ParameterVector whole =
-        m_damping > 0. ? solveEquations(m_equations.matrix, m_equations.right, m_equations.used.end()) : trial.step;
+        m_damping > 0. ? solveEquations(m_equations.matrix, m_equations.right, m_equations.used) : trial.step;
     trial.size = std::sqrt(whole.dot(m_equations.matrix * whole)) / m_noise;
     trial.plane = m_result.plane;
     trial.photometry = m_result.photometry;
@@ -345,6 +346,25 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
   likelihood.correct(fit.plane, fit.photometry);
   likelihood.evaluate(fit.plane, fit.photometry);
   return likelihood.costOfResiduals(fit.plane, fit.photometry, noise);
+}
+
+double promisedSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const Photometry &light,
+                       const MarkerPattern &pattern, const FitSettings &settings, std::size_t asked, FitMemory &memory)
+{
+  Likelihood likelihood(pattern, settings, memory);
+  if (!likelihood.keepPixels(pixels, fit.plane, light, fit.scale, 0.)) {
+    likelihood.setPixels(pixels, fit.plane, light, fit.scale);
+  }
+  // Strong bends stay corrected as for what was evaluated last, the mirrored pose perhaps: no light looks like the
+  // rest.
+  const std::size_t every = std::max<std::size_t>(pixels.size() / asked, 1);
+  const Equations equations = likelihood.sample(fit.plane, light, fit.scale, every);
+  const auto promised = [&](const UsedParameters &used) {
+    return equations.right.dot(solveEquations(equations.matrix, equations.right, used));
+  };
+  // By chance the others would take some off a part of the pixels, too.
+  const double squares = promised(equations.used) - promised(likelihood.usedBy(fit.photometry));
+  return std::isfinite(squares) ? squares : 0.;
 }
 
 void explainPixels(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,

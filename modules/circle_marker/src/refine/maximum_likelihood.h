@@ -96,11 +96,11 @@ public:
   /*! Where the k-th of them is among all. */
   std::size_t operator[](std::size_t k) const { return m_at[k]; }
 
-  /*! After the last of them: what follows in vectors and matrices is 0. */
-  int end() const { return m_count > 0 ? static_cast<int>(m_at[m_count - 1]) + 1 : 0; }
+  /*! The same in vectors and matrices. */
+  Eigen::Index at(Eigen::Index k) const { return static_cast<Eigen::Index>(m_at[static_cast<std::size_t>(k)]); }
 
   /*! Whether they are the first ones. */
-  bool areFirst() const { return static_cast<std::size_t>(end()) == m_count; }
+  bool areFirst() const { return m_count == 0 || m_at[m_count - 1] + 1 == m_count; }
 
 private:
   std::array<std::size_t, parameters> m_at = {};
@@ -154,6 +154,20 @@ std::optional<FittedPose> fitPose(const std::vector<FitPixel> &pixels, const Fit
 */
 double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
                      const Photometry &surround, double noise, bool exactBends, FitMemory &memory);
+
+/*!
+  What more of the light's model would take off the squares of a fit with its next step, grey levels^2, by some of the
+  pixels; 0 if the equations are singular. The pixels must be those of the last fit, as for robustSquares().
+  \param pixels : The pixels.
+  \param fit : A fit that has settled.
+  \param light : Its light, and what it has not, of no effect yet.
+  \param pattern : The print.
+  \param settings : Of the fit.
+  \param asked : How many of the pixels are asked, about.
+  \param memory : Working memory.
+*/
+double promisedSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const Photometry &light,
+                       const MarkerPattern &pattern, const FitSettings &settings, std::size_t asked, FitMemory &memory);
 
 /*!
   The pixels, in any order, as a fit explains them. They must be those of the last fit, as for robustSquares().

@@ -134,7 +134,7 @@ private:
   static constexpr std::size_t squaredSteepnessAt = costAt + 4;
   static constexpr std::size_t steepSquaresAt = costAt + 5;
 
-  Eigen::Index at(std::size_t k) const { return static_cast<Eigen::Index>(m_parameters[k]); }
+  Eigen::Index at(std::size_t k) const { return m_parameters.at(static_cast<Eigen::Index>(k)); }
 
   template <class Numbers> static Numbers totalOf(const std::vector<Numbers> &all)
   {

@@ -27,10 +27,8 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// Every 8th pixel of every 8th row at most: 19 thousand samples of a 1280 x 960 image fix the noise to 1 %. Smaller
-// images are asked for as many.
-constexpr unsigned int largestStride = 8;
-constexpr double fewestSamples = 19200.;
+// Every 8th pixel of every 8th row: 19 thousand samples of a 1280 x 960 image fix the noise to 1 %.
+constexpr unsigned int noiseSampling = 8;
 // Noise that pixels share is more than what the Laplacians see by this factor: after demosaicing 1.6 to 4. In
 // photographs of cubes with letters all over, whose noise is independent, it was 1.5.
 constexpr double clearlyMore = 1.5;
@@ -68,13 +66,11 @@ double independentNoise(const vpImage<unsigned char> &I)
   constexpr int largest = 16 * 255; // of the absolute response: the weights' absolute values sum to 16
   std::array<int, largest + 1> histogram{};
   int samples = 0;
-  const auto stride = static_cast<unsigned int>(
-      std::clamp(std::sqrt(static_cast<double>(I.getSize()) / fewestSamples), 1., static_cast<double>(largestStride)));
-  for (unsigned int y = 1; y + 1 < I.getHeight(); y += stride) {
+  for (unsigned int y = 1; y + 1 < I.getHeight(); y += noiseSampling) {
     const unsigned char *above = I[y - 1];
     const unsigned char *here = I[y];
     const unsigned char *below = I[y + 1];
-    for (unsigned int x = 1; x + 1 < I.getWidth(); x += stride) {
+    for (unsigned int x = 1; x + 1 < I.getWidth(); x += noiseSampling) {
       const int response = above[x - 1] - 2 * above[x] + above[x + 1] - 2 * here[x - 1] + 4 * here[x] -
                            2 * here[x + 1] + below[x - 1] - 2 * below[x] + below[x + 1];
       ++histogram[static_cast<std::size_t>(std::abs(response))];
