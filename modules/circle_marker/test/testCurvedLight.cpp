@@ -84,7 +84,8 @@ TEST(CurvedLight, IsToldWhereItFallsOff)
     const Told halo = toldIn(Eigen::Vector3d(0.03, 0., 0.03), family, count / 5, random);   // brighter beside black
     RecordProperty(family.getName(), std::to_string(plane.asked) + " by chance, " + std::to_string(lens.fitted) + ", " +
                                          std::to_string(aside.fitted) + ", " + std::to_string(halo.fitted));
-    EXPECT_LT(plane.asked, 10) << family.getName();       // 2 expected
+    EXPECT_LT(plane.asked, 10) << family.getName(); // 2 expected
+    EXPECT_LE(plane.fitted, 2) << family.getName();
     if (family.getType() == vpCircleMarkerFamily::DISC) { // its one edge hardly tells light that bends from its size
       continue;
     }

@@ -94,6 +94,31 @@ TEST(MeasureFits, AStuckPoseIsFittedAgain)
   EXPECT_LT((outcome.asked.back().start.plane.rotation - mirror.rotation).norm(), 1e-9);
 }
 
+// By what the pixels promise; but not of small markers, nor of what was corrected or is covered in part.
+TEST(MeasureFits, LightThatBendsIsFittedWhereThePixelsAskForIt)
+{
+  constexpr double much = 1e9; // grey levels^2
+  const auto curved = [](double diameter, int hamming, bool isCovered, double promised) {
+    const MarkerScene scene = tilted(coded, 0.5, diameter);
+    Recognition marker = recognised(scene, 8, false);
+    marker.code.hamming = hamming;
+    if (isCovered) {
+      marker.seen = allParts(scene);
+    }
+    const Outcome outcome = outcomeOf(
+        scene, marker, true, [](FittedPose &, const ScriptedFitter::Asked &) {}, Deadline(), {},
+        [](const FittedPose &) { return 0.; }, promised);
+    return std::count_if(outcome.asked.begin(), outcome.asked.end(),
+                         [](const auto &fit) { return fit.start.photometry && fit.start.photometry->lightCurvature; });
+  };
+  EXPECT_GT(curved(80., 0, false, much), 0);
+  EXPECT_EQ(curved(80., 0, false, 0.), 0);
+  EXPECT_EQ(curved(55., 0, false, much), 0);
+  EXPECT_GT(curved(65., 0, false, much), 0);
+  EXPECT_EQ(curved(80., 1, false, much), 0);
+  EXPECT_EQ(curved(80., 0, true, much), 0);
+}
+
 // Without a second pose the first would be certain, whichever of the two it is.
 TEST(MeasureFits, ThePoseThatNoFitCameToIsFitted)
 {

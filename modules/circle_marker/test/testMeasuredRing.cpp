@@ -60,6 +60,24 @@ TEST(MeasuredRing, LevelsAreThoseOfTheLightWhateverTheGamma)
   }
 }
 
+TEST(MeasuredRing, LightIsTheSameInOtherCoordinates)
+{
+  MeasuredRing ring = slopedRing();
+  ring.photometry.gamma = 1.8;
+  for (const bool bends : {false, true}) {
+    if (bends) {
+      ring.photometry.lightCurvature = Eigen::Vector3d(-0.03, 0.01, -0.02);
+    }
+    MeasuredRing other = ring;
+    other.frame = {Eigen::Vector2d(58., 33.), 17.};
+    other.photometry = ring.photometryIn(other.frame);
+    for (const Eigen::Vector2d &place :
+         {Eigen::Vector2d(50., 40.), Eigen::Vector2d(70., 28.), Eigen::Vector2d(44., 55.)}) {
+      EXPECT_NEAR(other.whiteAt(place), ring.whiteAt(place), 1e-9) << bends;
+    }
+  }
+}
+
 TEST(MeasuredRing, PaperIsDarkerBeyondTheEdgeOfAShadow)
 {
   MeasuredRing ring = slopedRing();

@@ -36,6 +36,28 @@ double MeasuredRing::levelAt(const Eigen::Vector2d &place, double grey) const
   return 1. - photometry.blackOf(inEvenLight / whiteAt(place));
 }
 
+Photometry MeasuredRing::photometryIn(const ImageFrame &other) const
+{
+  const Eigen::Vector2d aside = (other.center - frame.center) / frame.size;
+  const double larger = other.size / frame.size;
+  const double light = photometry.relativeLightAt(aside);
+  Photometry there; // of what lies around it nothing is known
+  there.white = whiteAt(other.center);
+  there.lightGradient = larger / light * photometry.lightGradient;
+  if (photometry.lightCurvature) {
+    const Eigen::Vector3d &bend = *photometry.lightCurvature;
+    const Eigen::Vector2d slope(2. * bend[0] * aside.x() + bend[1] * aside.y(),
+                                bend[1] * aside.x() + 2. * bend[2] * aside.y());
+    there.lightGradient += larger / light * slope;
+    there.lightCurvature = larger * larger / light * bend;
+  }
+  there.absorption = photometry.absorption;
+  there.gamma = photometry.gamma;
+  there.toneCurve = photometry.toneCurve;
+  there.blur = photometry.blur;
+  return there;
+}
+
 bool MeasuredRing::isCutOff(const Eigen::Vector2d &place, double grey) const
 {
   const double white = whiteAt(place);

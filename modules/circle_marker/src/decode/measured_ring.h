@@ -40,6 +40,9 @@ struct MeasuredRing
   /*! Grey level of white paper at a pixel, in even light. */
   double whiteAt(const Eigen::Vector2d &place) const { return photometry.whiteAt((place - frame.center) / frame.size); }
 
+  /*! The photometry in other coordinates of the light: without a shadow, and of nothing around the ring. */
+  Photometry photometryIn(const ImageFrame &other) const;
+
   /*! What a grey level at a pixel is between ink, 0, and paper, 1: linear in the light, as the blur mixes them. */
   double levelAt(const Eigen::Vector2d &place, double grey) const;
 

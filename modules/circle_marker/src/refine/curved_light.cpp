@@ -17,6 +17,7 @@
 
 #include "refine/curved_light.h"
 
+#include <algorithm>
 #include <cmath>
 
 BEGIN_VISP_NAMESPACE
@@ -27,9 +28,13 @@ namespace {
 // (pullOfNoise).
 constexpr double clearOfChance = 14.3;
 constexpr double shareOfPulls = 0.66;
-// All pixels are asked where so many of them say more than this, as they do of every fourth marker by chance.
+// Many pixels are asked where a few of them say more than this, as they do of every sixth marker by chance: at least so
+// many, and of large markers, which show more of their light, this share.
 constexpr std::size_t fewPixels = 1000;
-constexpr double worthAsking = 4.1;
+constexpr std::size_t shareOfFew = 8;
+constexpr std::size_t manyPixels = 4000;
+constexpr std::size_t shareOfMany = 2;
+constexpr double worthAsking = 5.;
 // By so much, ln, the light that bends has to explain all pixels better: chi^2 of 12.
 constexpr double leastGain = 6.;
 // And bend downward in one direction by so much at least, from the centre to the rim, share of the light: less is
@@ -42,11 +47,14 @@ bool isLightCurved(const std::vector<FitPixel> &pixels, const FittedPose &fit, c
 {
   Photometry light = fit.photometry;
   light.lightCurvature = Eigen::Vector3d::Zero();
-  const double unit = shareOfPulls * fit.sharing * fit.noise * fit.noise; // of chi^2, grey levels^2
-  const auto asked = [&](std::size_t count) {
+  // Of chi^2, grey levels^2.
+  const double unit = shareOfPulls * fit.sharing * std::max(fit.edgeNoise, 1.) * fit.noise * fit.noise;
+  const auto promisedBy = [&](std::size_t count) {
     return fitter.promisedSquares(pixels, fit, light, pattern, settings, count) / unit;
   };
-  return (pixels.size() < 2 * fewPixels || asked(fewPixels) > worthAsking) && asked(pixels.size()) > clearOfChance;
+  const std::size_t few = std::max(fewPixels, pixels.size() / shareOfFew);
+  const std::size_t many = std::max(manyPixels, pixels.size() / shareOfMany);
+  return (pixels.size() < 2 * few || promisedBy(few) > worthAsking) && promisedBy(many) > clearOfChance;
 }
 
 bool fallsOff(const Photometry &light)

@@ -44,7 +44,7 @@ constexpr int mostTwins = 2;
 constexpr double leastTonedRing = 10.;
 // Below this radius, pixels, light that bends as before a lens of 800 pixels costs no truth of the covariance that
 // shows.
-constexpr double leastInCurvedLight = 30.;
+constexpr double leastRadiusInCurvedLight = 30.;
 // With light that bends hardly more than noise is left, up to this factor beyond two standard deviations of chance:
 // what leaves more has another reason. (Beside black that a camera has sharpened two times by 2 pixels, clipped, three
 // of 200 were taken for such light, and their poses were off by 18 standard deviations.)
@@ -80,8 +80,8 @@ bool mayBeToned(const MarkerInImage &view, const FittedPose &fit, const FitSetti
 // Whether the light is to be fitted with a curvature; see mayBeToned(). Light that was told to be uneven has one.
 bool mayBeInCurvedLight(const MarkerInImage &view, const FittedPose &fit)
 {
-  return view.frame.size > leastInCurvedLight && !view.uneven && !isCorrected(view.marker) && !fit.photometry.shadow &&
-         !view.marker.seen && !fit.photometry.lightCurvature;
+  return view.frame.size > leastRadiusInCurvedLight && !view.uneven && !isCorrected(view.marker) &&
+         !fit.photometry.shadow && !view.marker.seen && !fit.photometry.lightCurvature;
 }
 
 // Whether the mirrored pose of the best fit is another one that no fit has come to, or one in other light has. From
@@ -195,17 +195,24 @@ RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDou
       ranked = extended;
     }
   };
-  if (mayBeInCurvedLight(view, ranked.fits[0]) &&
-      isLightCurved(memory.pixels, ranked.fits[0], pattern, settings, *memory.fitter)) {
+  const auto askForBend = [&] {
+    if (!mayBeInCurvedLight(view, ranked.fits[0]) ||
+        !isLightCurved(memory.pixels, ranked.fits[0], pattern, settings, *memory.fitter)) {
+      return;
+    }
     const RankedFits curved = fitCurvedLight(memory.pixels, ranked, pattern, settings, *memory.fitter);
     const FittedPose &best = curved.fits[0];
     if (keptOfNoise * unexplainedBy(best) <
         mostLeftByNoise(best, memory.pixels.size(), settings.noise.sigma, mostLeftInCurvedLight, chanceInCurvedLight)) {
       take(curved);
     }
-  }
+  };
+  askForBend();
   if (mayBeToned(view, ranked.fits[0], settings, pattern, memory)) {
     take(fitToneCurve(memory.pixels, ranked, pattern, settings, *memory.fitter));
+    if (ranked.fits[0].photometry.toneCurve) { // what that leaves has hidden the light
+      askForBend();
+    }
   }
   if (pattern.sectors == 0) {
     return ranked;

@@ -60,7 +60,8 @@ public:
 
   /*! See circle_marker::promisedSquares(). */
   virtual double promisedSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const Photometry &light,
-                                 const MarkerPattern &pattern, const FitSettings &settings, std::size_t asked) = 0;
+                                 const MarkerPattern &pattern, const FitSettings &settings,
+                                 std::size_t pixelsAsked) = 0;
 
   /*! See circle_marker::explainPixels(). */
   virtual void explainPixels(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,

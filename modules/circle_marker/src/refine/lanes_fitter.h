@@ -41,9 +41,9 @@ public:
   }
 
   double promisedSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const Photometry &light,
-                         const MarkerPattern &pattern, const FitSettings &settings, std::size_t asked) override
+                         const MarkerPattern &pattern, const FitSettings &settings, std::size_t pixelsAsked) override
   {
-    return CIRCLE_MARKER_LANES::promisedSquares(pixels, fit, light, pattern, settings, asked, m_memory);
+    return CIRCLE_MARKER_LANES::promisedSquares(pixels, fit, light, pattern, settings, pixelsAsked, m_memory);
   }
 
   void explainPixels(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,

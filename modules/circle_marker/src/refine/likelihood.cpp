@@ -57,8 +57,8 @@ constexpr double elongationPrior = 0.03;
 // The light changes by some hundredths over a marker's size, mostly, but may by any amount: Cauchy's prior again, this
 // share of the light its scale. A change along the tilt makes the two poses of a small ring look more alike.
 constexpr double gradientPrior = 0.02;
-// A lens of 60 degrees darkens its corners by half or more: across a marker that fills a third of the image the light
-// bends by a tenth.
+// A lens of 60 degrees from corner to corner leaves 0.56 of the light there, or less: across a marker that fills a
+// third of the image the light bends by a tenth.
 constexpr double curvaturePrior = 0.1;
 // The paper mostly ends where it may, at a square or, less often, at a circle, or goes on in some directions.
 constexpr std::array<double, paperShapes> expectedSurround = {{0.25, 0.5}};
@@ -71,6 +71,10 @@ constexpr double shadowPrior = 0.3;
 // In the first guess of light and contrast, before the noise is known, a pixel with this variance, grey levels^2, from
 // the surround counts half.
 constexpr float guessedVariance = 25.f;
+
+// Pixels that are left out, or not, together, where not all are asked.
+constexpr std::size_t pixelsOfRun = 16;
+static_assert(pixelsOfRun % laneCount == 0, "whole blocks");
 
 double gammaPriorAt(const BlurParameters &blur)
 {
@@ -218,7 +222,8 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
     k = sight == last ? k : 0;
     last = sight;
     const std::size_t direction = m_memory.blocks.direction[static_cast<std::size_t>(sight)][k];
-    if (k++ % every != 0) {
+    // By runs of pixels, as many as the widest block has, so that all processors ask the same.
+    if (k++ * laneCount / pixelsOfRun % every != 0) {
       return;
     }
     model.evaluate(block, sight, darkness);
@@ -250,7 +255,8 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
     equations.matrix = m_matrix;
   }
   m_trialHasProducts = formsProducts;
-  constrain(plane, photometry, noise, equations);
+  // All priors go as the noise: of a part of the pixels they count as much less.
+  constrain(plane, photometry, noise / std::sqrt(static_cast<double>(every)), equations);
   return equations;
 }
 

@@ -117,7 +117,10 @@ public:
   /*! The same with the matrix of the last pass of linearise() that was kept: the parameters are near those. */
   Equations pull(const MarkerPlane &plane, const Photometry &photometry, double noise);
 
-  /*! The same as linearise() of every so many of the pixels' blocks, in which all directions are seen. */
+  /*!
+    The same as linearise() of one in so many of the pixels, in which all directions are seen. They are too few to be
+    kept.
+  */
   Equations sample(const MarkerPlane &plane, const Photometry &photometry, double noise, std::size_t every);
 
   /*! Their cost alone. */

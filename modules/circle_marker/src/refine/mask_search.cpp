@@ -106,6 +106,7 @@ MaskSearch::MaskSearch(const FittedPose &start, Known known, double noise, Measu
   }
   if (start.photometry.toneCurve) {
     m_toned = start;
+    m_toned->photometry.lightCurvature.reset(); // no other trial has one
   }
 }
 

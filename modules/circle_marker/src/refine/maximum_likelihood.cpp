@@ -349,15 +349,16 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
 }
 
 double promisedSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const Photometry &light,
-                       const MarkerPattern &pattern, const FitSettings &settings, std::size_t asked, FitMemory &memory)
+                       const MarkerPattern &pattern, const FitSettings &settings, std::size_t pixelsAsked,
+                       FitMemory &memory)
 {
   Likelihood likelihood(pattern, settings, memory);
   if (!likelihood.keepPixels(pixels, fit.plane, light, fit.scale, 0.)) {
     likelihood.setPixels(pixels, fit.plane, light, fit.scale);
   }
-  // Strong bends stay corrected as for what was evaluated last, the mirrored pose perhaps: no light looks like the
-  // rest.
-  const std::size_t every = std::max<std::size_t>(pixels.size() / asked, 1);
+  // Strong bends stay corrected as for what was evaluated last, the mirrored pose perhaps, or not if pixels were sorted
+  // anew: little of what that leaves looks like light that bends.
+  const std::size_t every = std::max<std::size_t>(pixels.size() / std::max<std::size_t>(pixelsAsked, 1), 1);
   const Equations equations = likelihood.sample(fit.plane, light, fit.scale, every);
   const auto promised = [&](const UsedParameters &used) {
     return equations.right.dot(solveEquations(equations.matrix, equations.right, used));

@@ -163,11 +163,12 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
   \param light : Its light, and what it has not, of no effect yet.
   \param pattern : The print.
   \param settings : Of the fit.
-  \param asked : How many of the pixels are asked, about.
+  \param pixelsAsked : How many of the pixels are asked, about.
   \param memory : Working memory.
 */
 double promisedSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const Photometry &light,
-                       const MarkerPattern &pattern, const FitSettings &settings, std::size_t asked, FitMemory &memory);
+                       const MarkerPattern &pattern, const FitSettings &settings, std::size_t pixelsAsked,
+                       FitMemory &memory);
 
 /*!
   The pixels, in any order, as a fit explains them. They must be those of the last fit, as for robustSquares().

@@ -63,30 +63,6 @@ RankedFits fitCoarsely(const MarkerInImage &view, bool refine, FitSettings &sett
   return coarse;
 }
 
-// The light that a measured ring tells, in the coordinates of a frame. That of a covered one has no shadow.
-Photometry lightOf(const MeasuredRing &ring, const ImageFrame &frame)
-{
-  const Photometry &told = ring.photometry;
-  const Eigen::Vector2d aside = (frame.center - ring.frame.center) / ring.frame.size;
-  const double larger = frame.size / ring.frame.size;
-  const double light = told.relativeLightAt(aside);
-  Photometry photometry; // of what lies around it nothing is known
-  photometry.white = ring.whiteAt(frame.center);
-  photometry.lightGradient = larger / light * told.lightGradient;
-  if (told.lightCurvature) {
-    const Eigen::Vector3d &bend = *told.lightCurvature;
-    photometry.lightGradient +=
-        larger / light *
-        Eigen::Vector2d(2. * bend[0] * aside.x() + bend[1] * aside.y(), bend[1] * aside.x() + 2. * bend[2] * aside.y());
-    photometry.lightCurvature = larger * larger / light * bend;
-  }
-  photometry.absorption = told.absorption;
-  photometry.gamma = told.gamma;
-  photometry.toneCurve = told.toneCurve;
-  photometry.blur = told.blur;
-  return photometry;
-}
-
 // Where something covers a part of a marker its ring, which was measured before its code was read, stands for the
 // coarse fits: few pixels, with some of the cover among them, led away from where it was, and made it look hopeless.
 RankedFits fitsOfRing(const MarkerInImage &view)
@@ -95,7 +71,7 @@ RankedFits fitsOfRing(const MarkerInImage &view)
   for (const MarkerPlane &plane : view.marker.poses) {
     FittedPose fit;
     fit.plane = plane;
-    fit.photometry = lightOf(*view.marker.measuredRing, view.frame);
+    fit.photometry = view.marker.measuredRing->photometryIn(view.frame);
     ranked.fits.push_back(fit);
   }
   ranked.noise = view.marker.measuredRing->noise;

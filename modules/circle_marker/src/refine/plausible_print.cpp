@@ -41,9 +41,9 @@ constexpr double leastSizeOfAnyGamma = 20.;
 // SheetBend.
 constexpr double mostSpread = 0.03;
 constexpr double mostBend = 0.12;
-// Light that bends by more than this from a marker's centre to its rim is no lens's: a cosine^4 does over 300 pixels
-// before one of 600.
-constexpr double mostCurvature = 0.5;
+// Light that bends by more than this, root sum of squares of its coefficients, is no lens's: a cosine^4 has 0.71 over
+// 300 pixels before one of 600.
+constexpr double mostCurvature = 0.75;
 // And by a blur nearly as wide as the marker: its standard deviation in outer radii. That of a motion by half a radius
 // is a third of this, that of a disc of as much three fifths. (Stripes were explained by 0.49.)
 constexpr double mostBlur = 0.43;

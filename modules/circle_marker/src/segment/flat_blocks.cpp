@@ -37,7 +37,7 @@ constexpr double flatShare = 0.1;
 // With edges in this share of the blocks a frame is full of them.
 constexpr double edgeShare = 0.2;
 // Of how many blocks they are the flattest is counted by those that differ from them by no more than this many standard
-// deviations of chance, and again with what that has told. (Three rounds are within 1 % of where it ends.)
+// deviations of chance, and again, in some rounds, with what that has told.
 constexpr double mostChance = 2.;
 constexpr int rounds = 3;
 // By how much the variance of other flat blocks is more than that of the flattest tenth at most: where nine pixels
