@@ -123,7 +123,7 @@ TEST(ImageNoise, StepsAreNoNoise)
 }
 
 // Edges are noise for the Laplacians: a frame full of them, an eighth flat at least, is told by its flat blocks. The
-// median of 20 frames of 640 x 480 is off by less than 2 % (the Laplacians alone say 5 to 10 % more), each by 6 %.
+// median of 20 frames of 640 x 480 is off by less than 2 % (the Laplacians alone say up to 7 % more), each by 6 %.
 TEST(ImageNoise, BesideManyEdges)
 {
   Random random = randomOfTest();

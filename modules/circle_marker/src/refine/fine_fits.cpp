@@ -46,8 +46,8 @@ constexpr double leastTonedRing = 10.;
 // shows.
 constexpr double leastRadiusInCurvedLight = 30.;
 // With light that bends hardly more than noise is left, up to this factor beyond two standard deviations of chance:
-// what leaves more has another reason. (Beside black that a camera has sharpened two times by 2 pixels, clipped, three
-// of 200 were taken for such light, and their poses were off by 18 standard deviations.)
+// what leaves more has another reason. (Beside black that a camera has sharpened two times by 2 pixels, clipped, five
+// of 200 poses were off because halos were taken for such light.)
 constexpr double mostLeftInCurvedLight = 1.25;
 constexpr double chanceInCurvedLight = 2.;
 
