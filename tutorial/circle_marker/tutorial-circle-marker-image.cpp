@@ -19,8 +19,10 @@
   \example tutorial-circle-marker-image.cpp
 */
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -42,7 +44,10 @@ int main(int argc, const char **argv)
   double size = 0.; // outer diameter of the black ring, metres
   bool isDisplayed = false;
   for (int i = 1; i < argc; i++) {
-    const std::string option = argv[i];
+    std::string option = argv[i];
+    if (option.rfind("--", 0) == 0) { // with underscores, too, as ViSP's own tutorials have it
+      std::replace(option.begin(), option.end(), '_', '-');
+    }
     if (option == "--input" && i + 1 < argc) {
       input = argv[++i];
     }
@@ -88,7 +93,8 @@ int main(int argc, const char **argv)
     vpXmlParserCamera parser;
     if (parser.parse(cam, intrinsic, cameraName, vpCameraParameters::perspectiveProjWithDistortion) !=
         vpXmlParserCamera::SEQUENCE_OK) {
-      std::cerr << "There is no camera " << cameraName << " with distortion in " << intrinsic << "\n";
+      std::cerr << "tutorial-circle-marker-image: there is no camera " << cameraName << " with distortion in "
+                << intrinsic << "; check the names, or take tutorial-circle-marker-detector, which knows all models\n";
       return EXIT_FAILURE;
     }
 
@@ -97,7 +103,7 @@ int main(int argc, const char **argv)
     std::vector<vpHomogeneousMatrix> cMo;
     detector.detect(I, size, cam, cMo);
     for (size_t i = 0; i < cMo.size(); i++) {
-      const vpMatrix covariance = detector.getCovariance(i); // of (t, theta u), metres and radians
+      const vpMatrix covariance = detector.getDetections()[i].getCovarianceOfCenter(); // of (t, theta u), m and rad
       std::cout << detector.getMessage(i) << " at " << cMo[i].getTranslationVector().t() << " m, z to within "
                 << 1000. * std::sqrt(covariance[2][2]) << " mm\n";
     }
@@ -114,13 +120,13 @@ int main(int argc, const char **argv)
       vpDisplay::getClick(I);
       //! [Display]
 #else
-      std::cerr << "ViSP has no windows here, it was built without X11\n";
+      std::cerr << "tutorial-circle-marker-image: ViSP has no windows here, it was built without X11\n";
 #endif
     }
     return cMo.empty() ? EXIT_FAILURE : EXIT_SUCCESS;
   }
-  catch (const vpException &e) {
-    std::cerr << e.what() << std::endl;
+  catch (const std::exception &e) { // vpException is one
+    std::cerr << "tutorial-circle-marker-image: " << e.what() << std::endl;
     return EXIT_FAILURE;
   }
 }

@@ -24,9 +24,9 @@
 #include <stdexcept>
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
-#include <visp3/core/vpRotationMatrix.h>
-#include <visp3/core/vpThetaUVector.h>
 #include <visp3/io/vpImageIo.h>
+
+#include "common/pose_distance.h"
 
 namespace bench {
 namespace {
@@ -34,60 +34,6 @@ namespace {
 constexpr double near = 0.25;
 // What the visible share may be off.
 constexpr double visibleSlack = 0.1;
-
-// The matrix of the cross product with a vector.
-vpMatrix crossMatrix(const vpColVector &v)
-{
-  vpMatrix matrix(3, 3);
-  matrix[0][1] = -v[2];
-  matrix[0][2] = v[1];
-  matrix[1][0] = v[2];
-  matrix[1][2] = -v[0];
-  matrix[2][0] = -v[1];
-  matrix[2][1] = v[0];
-  return matrix;
-}
-
-// The estimate turned about its normal so that its spin is the true one: a marker without a code has none of its own.
-vpHomogeneousMatrix withSpinOf(const vpHomogeneousMatrix &truth, const vpHomogeneousMatrix &estimate)
-{
-  double c = 0.;
-  double s = 0.;
-  for (unsigned int row = 0; row < 3; ++row) {
-    c += estimate[row][0] * truth[row][0];
-    s += estimate[row][1] * truth[row][0];
-  }
-  const vpRotationMatrix spin(vpThetaUVector(0., 0., std::atan2(s, c)));
-  return estimate * vpHomogeneousMatrix(vpTranslationVector(0., 0., 0.), spin);
-}
-
-// Squared Mahalanobis distance of the truth from the estimate by its covariance, about the marker's centre, where the
-// numbers are well conditioned.
-double squaredMahalanobis(const vpHomogeneousMatrix &truth, const vpCircleMarkerDetection &detection)
-{
-  const vpHomogeneousMatrix cMo = detection.dof == 6 ? detection.cMo : withSpinOf(truth, detection.cMo);
-  vpColVector center(3);
-  vpColVector error(6);
-  const vpThetaUVector turn(vpRotationMatrix(truth) * vpRotationMatrix(cMo).t());
-  for (unsigned int i = 0; i < 3; ++i) {
-    center[i] = cMo[i][3];
-    error[i] = truth[i][3] - cMo[i][3];
-    error[3 + i] = turn[i];
-  }
-  vpMatrix move(6, 6);
-  move.eye();
-  move.insert(-1. * crossMatrix(center), 0, 3);
-  vpMatrix covariance = move * detection.covariance * move.t();
-  for (unsigned int i = 0; i < 6; ++i) {
-    const double sigma = std::sqrt(covariance[i][i]);
-    error[i] /= sigma;
-    for (unsigned int j = 0; j < 6; ++j) {
-      covariance[i][j] /= sigma;
-      covariance[j][i] /= sigma;
-    }
-  }
-  return vpColVector::dotProd(error, covariance.inverseByLU() * error);
-}
 
 // Cosine of the angle between the normals of two poses.
 double cosineBetweenNormals(const vpHomogeneousMatrix &one, const vpHomogeneousMatrix &other)
@@ -177,7 +123,7 @@ bool judge(const Scene &scene, const vpDetectorCircleMarker &detector, Line &lin
       line.mirroredOdds = std::max(line.mirroredOdds, detection.logOdds);
     }
     else {
-      line.distances.push_back(squaredMahalanobis(truth.cMo, detection) / detection.dof);
+      line.distances.push_back(common::squaredMahalanobis(truth.cMo, detection) / detection.dof);
     }
     line.misjudged += std::abs(detection.visible - truth.visibleEdge) > visibleSlack ? 1 : 0;
   }

@@ -20,6 +20,7 @@
   Calibrates a camera from pictures of a chessboard, a grid of circles, or a sheet of circular markers.
 */
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
 
@@ -92,7 +93,8 @@ ModelReport calibrateModel(const Order &order, LensModel model, Finder &finder, 
   if (order.target.hasCircles()) {
     // Once more with the camera that is now known: outlines were drawn with a nominal one.
     const std::vector<View> again = findAll(finder, pictures, report.calibration.adjustment.lens, false);
-    if (again.size() == views.size()) {
+    const auto isOfOnePicture = [](const View &p, const View &q) { return p.name == q.name; };
+    if (std::equal(again.begin(), again.end(), views.begin(), views.end(), isOfOnePicture)) { // poses go by their order
       views = again;
       report.calibration =
           calibrate::calibrate(order.target, views, model, Centers::True, &report.calibration.adjustment);

@@ -22,7 +22,6 @@
 
 namespace compare {
 namespace {
-/*! Arguments in the order CLI11 wants them, last first; options may be written with underscores, as ViSP's tools do. */
 void addOptions(CLI::App &app, Settings &settings)
 {
   app.add_option("--output", settings.output, "Folder to write to; made unless it is there")->required();

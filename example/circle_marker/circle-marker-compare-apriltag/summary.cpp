@@ -26,7 +26,6 @@
 
 namespace compare {
 namespace {
-/*! Quantile of ascending numbers, interpolated between neighbours. */
 using Errors = std::vector<PoseError>;
 
 Statistics over(const Errors &errors, const std::function<double(const PoseError &)> &value)

@@ -58,7 +58,7 @@ std::vector<Opinion> opinionsOf(const vpCircleMarkerDatabase &database,
     if (detection.hasSecondPose && detection.logOdds < certainOdds) {
       const vpHomogeneousMatrix other = *entry->wMo * detection.cMo2.inverse();
       if (difference(expected, other).frobeniusNorm() < difference(expected, opinion.wMc).frobeniusNorm()) {
-        opinion.wMc = other;
+        opinion = {other, detection.covariance2.inverseByCholesky()};
       }
     }
     if (difference(expected, opinion.wMc).frobeniusNorm() < mostSurprise) {

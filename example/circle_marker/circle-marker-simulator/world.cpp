@@ -21,8 +21,7 @@
 #include <cmath>
 #include <set>
 
-#include <visp3/core/vpExponentialMap.h>
-
+#include "common/pose_distance.h"
 #include "common/pose_error.h"
 #include "common/seeds.h"
 
@@ -57,11 +56,10 @@ void cover(vpMarkerSceneSimulator &scene, int tenths)
   }
 }
 
+/*! Root of the mean square of what was measured. */
 double inSigmas(const vpCircleMarkerDetection &detection, const vpHomogeneousMatrix &truth)
 {
-  const vpColVector delta = vpExponentialMap::inverse(truth * detection.cMo.inverse());
-  const vpColVector weighted = detection.covariance.pseudoInverse() * delta;
-  return std::sqrt(std::max(0., (delta.t() * weighted)) / 6.);
+  return std::sqrt(std::max(0., common::squaredMahalanobis(truth, detection)) / detection.dof);
 }
 
 Comparison compare(const vpMarkerTruth &truth, const std::vector<vpCircleMarkerDetection> &detections)

@@ -50,7 +50,7 @@ struct Comparison
   bool isWhole = false;        //!< Whether all of it is in the image.
   std::optional<double> error; //!< Distance of measured and true centre, metres; nothing: not found.
   double normalError = 0.;     //!< Angle of measured and true normal, radians.
-  double sigmas = 0.;          //!< Error of the pose in its own standard deviations: root of the mean square of six.
+  double sigmas = 0.;          //!< Error of the pose in its own standard deviations: root of the mean square.
 };
 
 /*! An image and what is known of it. */

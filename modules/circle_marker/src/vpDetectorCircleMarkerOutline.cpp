@@ -115,6 +115,9 @@ std::optional<Measurement> vpDetectorCircleMarker::Impl::withoutCover(const Visi
   auto covered = ring ? recogniseByMeasuredRing(visit.I, visit.camera, *ring, marker.family, settings.decode, memory,
                                                 visit.deadline, visit.noise)
                       : std::nullopt;
+  if (!covered && visit.deadline.hasPassed()) { // there was no time to ask what else it may be
+    return std::nullopt;
+  }
   if (covered && (marker.code.hamming > 0 || covered->code.id == marker.code.id)) {
     if (verdict == WholeVerdict::DOUBTFUL && covered->code.id == marker.code.id) {
       return measurement; // by all pixels: without noise, those left out are off by little

@@ -55,10 +55,15 @@ void vpDetectorCircleMarker::Impl::detect(const vpImage<unsigned char> &I, doubl
   inverse.database = database;
   inverse.keepsDebug = keepsDebug;
   negate(I, m_negative);
-  if (both) {
+  // Who comes second has what the first leaves of a timeout: none, where there is much to look at.
+  m_isInverseFirst = both && !m_isInverseFirst;
+  if (both && !m_isInverseFirst) {
     detectBlack(I, size, cam, isCameraGuessed, deadline);
   }
   inverse.detectBlack(m_negative, size, cam, isCameraGuessed, deadline);
+  if (m_isInverseFirst) {
+    detectBlack(I, size, cam, isCameraGuessed, deadline);
+  }
   if (!both) {
     found.clear();
     detections.clear();
@@ -133,7 +138,8 @@ void vpDetectorCircleMarker::Impl::addInverse(Impl &inverse)
 
 /*!
   Sets whether markers are looked for that are black on white, white on black, or both. Both take twice the time of one;
-  an inverse marker needs a black quiet zone as others need a white one.
+  an inverse marker needs a black quiet zone as others need a white one. If that is more than the time of setTimeout(),
+  they take turns: in every other image white ones are looked for first.
 
   \param polarity : Which markers are looked for; vpCircleMarkerPolarity::BLACK_ON_WHITE by default.
 */

@@ -59,7 +59,7 @@ Told toldIn(const Eigen::Vector3d &curvature, const vpCircleMarkerFamily &family
     const auto fit =
         memory.fitter->fitPose(made.pixels, {made.scene.plane(), Photometry(), std::nullopt}, made.pattern, settings);
     EXPECT_TRUE(fit);
-    if (fit && isLightCurved(made.pixels, *fit, made.pattern, settings, *memory.fitter)) {
+    if (fit && isLightCurved(*fit)) {
       ++told.asked;
       RankedFits ranked;
       ranked.fits.push_back(*fit);
@@ -92,6 +92,45 @@ TEST(CurvedLight, IsToldWhereItFallsOff)
     EXPECT_EQ(lens.fitted, count / 5) << family.getName();
     EXPECT_GE(aside.fitted, count / 5 - 2) << family.getName();
     EXPECT_EQ(halo.fitted, 0) << family.getName();
+  }
+}
+
+// What is left tells what a fit with such light gains: no more than that, and about half of it or more. (Of a lone
+// edge hardly anything: light that bends looks like another size of it.)
+TEST(CurvedLight, WhatIsLeftTellsTheGain)
+{
+  Random random = randomOfTest();
+  const vpImage<unsigned char> I(side, side, 0);
+  for (const vpCircleMarkerFamily::vpType type : families) {
+    const vpCircleMarkerFamily family(type);
+    if (type == vpCircleMarkerFamily::DISC) {
+      continue;
+    }
+    double shares = 0.;
+    constexpr int count = 40;
+    for (int i = 0; i < count; ++i) {
+      const int id = randomId(random, family);
+      Case made =
+          makeCase(markerScene(random, family, id, uniform(random, 60., 90.), uniform(random, 0.2, 0.9), side), id, I);
+      fillFromModel(made, Light(), BlurParameters(), 2., random);
+      bendLight(Eigen::Vector3d(-0.02, 0., -0.02), made);
+      const std::unique_ptr<Fitter> fitter = makeFitter();
+      const FitSettings settings = settingsOf(family);
+      FitStart start = {made.scene.plane(), Photometry(), std::nullopt};
+      const auto plane = fitter->fitPose(made.pixels, start, made.pattern, settings);
+      start.photometry->lightCurvature = Eigen::Vector3d::Zero();
+      const auto curved = fitter->fitPose(made.pixels, start, made.pattern, settings);
+      ASSERT_TRUE(plane && curved) << family.getName() << " " << i;
+      const auto squaresOf = [&](const FittedPose &fit) {
+        return fitter->robustSquares(made.pixels, fit, made.pattern, fit.photometry, curved->noise, true);
+      };
+      const double gain = squaresOf(*plane) - squaresOf(*curved);
+      const double chance = 4. * curved->noise * curved->noise; // priors, and steps that end before the maximum
+      EXPECT_LT(plane->bendOfLight, 1.1 * gain + chance) << family.getName() << " " << i;
+      shares += plane->bendOfLight / gain / count;
+    }
+    RecordProperty(family.getName(), std::to_string(shares));
+    EXPECT_GT(shares, 0.4) << family.getName();
   }
 }
 

@@ -17,7 +17,6 @@
 
 #include "testRoomTools.h"
 
-#include <array>
 #include <typeinfo>
 
 #include <Eigen/LU>
@@ -36,7 +35,6 @@ struct Outcome
   std::vector<FitPixel> pixels;
   FittedPose fit;
   double squares = 0.;
-  std::array<double, 2> promised = {}; // by light that bends, of all pixels and of a third, grey levels^2
 };
 
 Outcome outcomeOf(Fitter &fitter, const vpImage<unsigned char> &I, const MarkerScene &scene, int id, bool exactBends)
@@ -59,12 +57,6 @@ Outcome outcomeOf(Fitter &fitter, const vpImage<unsigned char> &I, const MarkerS
   }
   outcome.fit = *fit;
   outcome.squares = fitter.robustSquares(outcome.pixels, *fit, pattern, fit->photometry, fit->noise, exactBends);
-  Photometry light = fit->photometry;
-  light.lightCurvature = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < 2; ++k) {
-    outcome.promised[k] =
-        fitter.promisedSquares(outcome.pixels, *fit, light, pattern, settings, outcome.pixels.size() / (1 + 2 * k));
-  }
   return outcome;
 }
 
@@ -120,9 +112,8 @@ TEST_P(FitterWith, OtherInstructionsFitsTheSame)
         EXPECT_NEAR(other.fit.noise, one.fit.noise, rounding * one.fit.noise);
         // A hundredth of a standard deviation, as below, where the cost still falls by about one a standard deviation.
         EXPECT_NEAR(other.squares, one.squares, rounding * one.squares + 0.02 * one.fit.noise * one.fit.noise);
-        for (std::size_t k = 0; k < 2; ++k) { // the same pixels are asked
-          EXPECT_NEAR(other.promised[k], one.promised[k], 0.02 * one.promised[k] + 0.2 * one.fit.noise * one.fit.noise);
-        }
+        EXPECT_NEAR(other.fit.bendOfLight, one.fit.bendOfLight,
+                    0.02 * one.fit.bendOfLight + 0.2 * one.fit.noise * one.fit.noise);
         EXPECT_LT(distanceOf(one.fit, other.fit, family.isCoded()), hasOtherBlocks ? 0.2 : 0.03)
             << family.getName() << " " << i;
       }

@@ -94,20 +94,19 @@ TEST(MeasureFits, AStuckPoseIsFittedAgain)
   EXPECT_LT((outcome.asked.back().start.plane.rotation - mirror.rotation).norm(), 1e-9);
 }
 
-// By what the pixels promise; but not of small markers, nor of what was corrected or is covered in part.
+// By what a fit leaves; but not of small markers, nor of what was corrected or is covered in part.
 TEST(MeasureFits, LightThatBendsIsFittedWhereThePixelsAskForIt)
 {
   constexpr double much = 1e9; // grey levels^2
-  const auto curved = [](double diameter, int hamming, bool isCovered, double promised) {
+  const auto curved = [](double diameter, int hamming, bool isCovered, double bend) {
     const MarkerScene scene = tilted(coded, 0.5, diameter);
     Recognition marker = recognised(scene, 8, false);
     marker.code.hamming = hamming;
     if (isCovered) {
       marker.seen = allParts(scene);
     }
-    const Outcome outcome = outcomeOf(
-        scene, marker, true, [](FittedPose &, const ScriptedFitter::Asked &) {}, Deadline(), {},
-        [](const FittedPose &) { return 0.; }, promised);
+    const Outcome outcome =
+        outcomeOf(scene, marker, true, [&](FittedPose &fit, const ScriptedFitter::Asked &) { fit.bendOfLight = bend; });
     return std::count_if(outcome.asked.begin(), outcome.asked.end(),
                          [](const auto &fit) { return fit.start.photometry && fit.start.photometry->lightCurvature; });
   };

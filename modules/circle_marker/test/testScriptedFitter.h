@@ -77,13 +77,6 @@ public:
     return fit.squares + (moreSquares ? moreSquares(fit) : 0.);
   }
 
-  double promisedSquares(const std::vector<circle_marker::FitPixel> &, const circle_marker::FittedPose &,
-                         const circle_marker::Photometry &, const circle_marker::MarkerPattern &,
-                         const circle_marker::FitSettings &, std::size_t) override
-  {
-    return promised;
-  }
-
   void explainPixels(const std::vector<circle_marker::FitPixel> &, const circle_marker::FittedPose &,
                      const circle_marker::MarkerPattern &,
                      std::vector<circle_marker::ExplainedPixel> &explained) override
@@ -92,8 +85,6 @@ public:
   }
 
   std::function<double(const circle_marker::FittedPose &)> moreSquares; //!< Where a fit is judged against others.
-
-  double promised = 0.; //!< By light that bends, grey levels^2.
 
   std::vector<circle_marker::ExplainedPixel> explains; //!< What pixels show, if it is asked how a fit explains them.
 

@@ -82,7 +82,7 @@ using Alter = std::function<void(FittedPose &, const ScriptedFitter::Asked &)>;
 inline Outcome outcomeOf(
     const MarkerScene &scene, const Recognition &marker, bool refine, const Alter &alter,
     const Deadline &deadline = Deadline(), const std::vector<ExplainedPixel> &explains = {},
-    const OddsAgainst &oddsAgainst = [](const FittedPose &) { return 0.; }, double promised = 0.)
+    const OddsAgainst &oddsAgainst = [](const FittedPose &) { return 0.; })
 {
   auto scripted = std::make_unique<ScriptedFitter>([&](const ScriptedFitter::Asked &asked) {
     FittedPose fit = fitAt(asked.start);
@@ -92,7 +92,6 @@ inline Outcome outcomeOf(
     return std::optional<FittedPose>(fit);
   });
   scripted->explains = explains;
-  scripted->promised = promised;
   scripted->moreSquares = [&](const FittedPose &fit) { return squaresOf(oddsAgainst(fit)); };
   const ScriptedFitter &fitter = *scripted;
   MeasureMemory memory;

@@ -77,9 +77,10 @@ Request parseCommandLine(int argc, const char *const argv[])
   app.add_option("--output", order.folder, "Folder for servo.csv, servo.svg and overlay-*.png")->capture_default_str();
   app.add_flag("--display-off", displayOff,
                "Open no windows and start at once; in the window a left click starts or stops, a right click quits");
-  app.footer("The robot stands still while no marker is seen and after 0.2 s without an image. Ends with 0 only if the "
-             "marker was seen where it\nshould be in ten images in a row, within half of the accepted errors; the "
-             "simulated camera is judged by its true pose.");
+  app.footer(
+      "The servo goes on with the marker that it has seen first. The robot stands still while that is not seen and "
+      "after 0.2 s\nwithout an image. Ends with 0 only if the marker was seen where it should be in ten images in "
+      "a row, within half of the\naccepted errors; the simulated camera is judged by its true pose.");
   if (!parse(app, argc, argv)) {
     return Request{std::nullopt, app.help()};
   }

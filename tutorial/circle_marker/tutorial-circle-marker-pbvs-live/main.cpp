@@ -20,6 +20,7 @@
   Position-based visual servo of a robot that carries a camera, on a circular marker.
 */
 
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -124,7 +125,22 @@ ServoGoal goalOf(const Order &order, const ServoCamera &camera)
   goal.acceptedDistance = order.acceptedDistance;
   goal.acceptedAngle = order.acceptedAngle;
   goal.mostImages = order.mostImages;
+  if (order.camera) {                  // the robot goes on with its last velocity meanwhile
+    constexpr int longestSearch = 200; // milliseconds
+    goal.detector.timeout = longestSearch;
+  }
   return goal;
+}
+
+/*! Says so if a marker cannot tell how far it is turned. */
+void warnOfSpin(const Order &order)
+{
+  const std::vector<vpCircleMarkerFamily> &families = order.detector.families;
+  if (std::any_of(families.begin(), families.end(),
+                  [](const vpCircleMarkerFamily &family) { return !family.isCoded(); })) {
+    program.complain("a ring or disc without a code does not tell how far it is turned about its normal: that angle of "
+                     "the pose is a convention, and what the camera turns by about it means nothing");
+  }
 }
 
 ServoRecord run(const Order &order, const ServoGoal &goal, ServoEyes &eyes, vpRobot &robot)
@@ -184,6 +200,7 @@ bool carryOut(const Order &order)
   else {
     openSimulatedCamera(order, *robot, vision);
   }
+  warnOfSpin(order);
   const ServoGoal goal = goalOf(order, vision.camera);
   const ServoRecord record = run(order, goal, *vision.eyes, *robot);
   print(record);

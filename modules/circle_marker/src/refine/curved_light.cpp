@@ -23,18 +23,12 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// chi^2 of three degrees of freedom: more by chance once in four hundred markers, and once in a hundred with what any
-// model lacks. Of normal noise the biweight's pulls have this share of the variance that they are compared with
+// chi^2 that is worth a fit. What the light and ink say of it is no more than all parameters together would, and some
+// three quarters of that: so chance says as much once in some hundred markers, and what says less is hardly worth
+// leastGain. Of normal noise the biweight's pulls have this share of the variance that they are compared with
 // (pullOfNoise).
-constexpr double clearOfChance = 14.3;
+constexpr double clearOfChance = 9.;
 constexpr double shareOfPulls = 0.66;
-// Many pixels are asked where a few of them say more than this, as they do of every sixth marker by chance: at least so
-// many, and of large markers, which show more of their light, this share.
-constexpr std::size_t fewPixels = 1000;
-constexpr std::size_t shareOfFew = 8;
-constexpr std::size_t manyPixels = 4000;
-constexpr std::size_t shareOfMany = 2;
-constexpr double worthAsking = 5.;
 // By so much, ln, the light that bends has to explain all pixels better: chi^2 of 12.
 constexpr double leastGain = 6.;
 // And bend downward in one direction by so much at least, from the centre to the rim, share of the light: less is
@@ -42,19 +36,10 @@ constexpr double leastGain = 6.;
 constexpr double leastFall = 0.001;
 } // namespace
 
-bool isLightCurved(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
-                   const FitSettings &settings, Fitter &fitter)
+bool isLightCurved(const FittedPose &fit)
 {
-  Photometry light = fit.photometry;
-  light.lightCurvature = Eigen::Vector3d::Zero();
-  // Of chi^2, grey levels^2.
-  const double unit = shareOfPulls * fit.sharing * std::max(fit.edgeNoise, 1.) * fit.noise * fit.noise;
-  const auto promisedBy = [&](std::size_t count) {
-    return fitter.promisedSquares(pixels, fit, light, pattern, settings, count) / unit;
-  };
-  const std::size_t few = std::max(fewPixels, pixels.size() / shareOfFew);
-  const std::size_t many = std::max(manyPixels, pixels.size() / shareOfMany);
-  return (pixels.size() < 2 * few || promisedBy(few) > worthAsking) && promisedBy(many) > clearOfChance;
+  const double unit = shareOfPulls * fit.sharing * std::max(fit.edgeNoise, 1.) * fit.noise * fit.noise; // grey levels^2
+  return fit.bendOfLight > clearOfChance * unit;
 }
 
 bool fallsOff(const Photometry &light)

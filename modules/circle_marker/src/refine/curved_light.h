@@ -33,15 +33,10 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 /*!
-  Whether the pixels ask for light that bends, more than chance does once in some hundred markers: Rao's score test.
-  \param pixels : The pixels, those that the fitter has.
-  \param fit : The fit, with a plane for its light.
-  \param pattern : The print.
-  \param settings : Of the fit.
-  \param fitter : Evaluates it once.
+  Whether the pixels ask for light that bends, more than chance does once in some hundred markers: Rao's score test, by
+  what a fit with a plane leaves of them (FittedPose::bendOfLight).
 */
-bool isLightCurved(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
-                   const FitSettings &settings, Fitter &fitter);
+bool isLightCurved(const FittedPose &fit);
 
 /*!
   Whether the light falls off as before a lens: across the way from wherever it is brightest it always does, along it

@@ -196,8 +196,7 @@ RankedFits fitFinely(MarkerInImage &view, const RankedFits &coarse, bool isInDou
     }
   };
   const auto askForBend = [&] {
-    if (!mayBeInCurvedLight(view, ranked.fits[0]) ||
-        !isLightCurved(memory.pixels, ranked.fits[0], pattern, settings, *memory.fitter)) {
+    if (!mayBeInCurvedLight(view, ranked.fits[0]) || !isLightCurved(ranked.fits[0])) {
       return;
     }
     const RankedFits curved = fitCurvedLight(memory.pixels, ranked, pattern, settings, *memory.fitter);

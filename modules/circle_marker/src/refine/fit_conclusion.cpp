@@ -126,6 +126,7 @@ bool conclude(const Likelihood &fit, const Equations &equations, const Parameter
     const double shared = result.noise * std::sqrt(result.edgeNoise * result.sharing);
     const CoherentCovariance coherent = fit.coherentCovariance(influence, usedPart(lastStep, equations.used), shared);
     result.coherence = coherent.ratio;
+    result.bendOfLight = fit.bendOfResiduals(result.photometry, noise);
     covariance = result.edgeNoise * coherent.covariance;
   }
   covariance *= biweightCovariance * result.noise * result.noise * result.sharing;

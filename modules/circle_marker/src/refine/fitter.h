@@ -58,11 +58,6 @@ public:
   virtual double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
                                const Photometry &surround, double noise, bool exactBends) = 0;
 
-  /*! See circle_marker::promisedSquares(). */
-  virtual double promisedSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const Photometry &light,
-                                 const MarkerPattern &pattern, const FitSettings &settings,
-                                 std::size_t pixelsAsked) = 0;
-
   /*! See circle_marker::explainPixels(). */
   virtual void explainPixels(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
                              std::vector<ExplainedPixel> &explained) = 0;

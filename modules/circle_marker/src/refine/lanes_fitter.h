@@ -40,12 +40,6 @@ public:
     return CIRCLE_MARKER_LANES::robustSquares(pixels, fit, pattern, surround, noise, exactBends, m_memory);
   }
 
-  double promisedSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const Photometry &light,
-                         const MarkerPattern &pattern, const FitSettings &settings, std::size_t pixelsAsked) override
-  {
-    return CIRCLE_MARKER_LANES::promisedSquares(pixels, fit, light, pattern, settings, pixelsAsked, m_memory);
-  }
-
   void explainPixels(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
                      std::vector<ExplainedPixel> &explained) override
   {

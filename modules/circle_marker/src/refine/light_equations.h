@@ -21,22 +21,20 @@
 #include <array>
 #include <cstddef>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "refine/lanes.h"
-#include "refine/sums.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 inline namespace CIRCLE_MARKER_LANES {
-/*! Light, the two parts of its gradient, and contrast times light. */
-constexpr std::size_t lightUnknowns = 4;
-
-/*! Normal equations of these: a grey level depends linearly on them. */
-class LightEquations
+/*! Normal equations of a few unknowns of the light, on which a grey level depends linearly. */
+template <std::size_t unknowns> class LightEquations
 {
 public:
+  using Matrix = Eigen::Matrix<double, static_cast<int>(unknowns), static_cast<int>(unknowns)>;
+  using Vector = Eigen::Matrix<double, static_cast<int>(unknowns), 1>;
+
   LightEquations()
   {
     for (Lanes &lanes : m_sums) {
@@ -45,10 +43,10 @@ public:
   }
 
   /*! Adds pixels. row: what each unknown makes of their grey level, if it is 1. */
-  void add(const std::array<Lanes, lightUnknowns> &row, const Lanes &grey, const Lanes &weight)
+  void add(const std::array<Lanes, unknowns> &row, const Lanes &grey, const Lanes &weight)
   {
     std::size_t k = 0;
-    for (std::size_t i = 0; i < lightUnknowns; ++i) {
+    for (std::size_t i = 0; i < unknowns; ++i) {
       const Lanes weighted = weight * row[i];
       for (std::size_t j = 0; j <= i; ++j) {
         m_sums[k++] += weighted * row[j];
@@ -57,30 +55,33 @@ public:
     }
   }
 
-  /*! Not finite if the pixels do not fix the unknowns. */
-  Eigen::Vector4d solve() const
+  /*! Their matrix, as far as the pixels fix it. */
+  Matrix matrix() const
   {
-    const std::array<Lanes, 2> totals = {sumOfEach(m_sums.data()), sumOfEach(m_sums.data() + laneCount)};
-    const auto total = [&totals](std::size_t k) {
-      return static_cast<double>(totals[k / laneCount][static_cast<std::ptrdiff_t>(k % laneCount)]);
-    };
-    Eigen::Matrix4d matrix;
-    Eigen::Vector4d right;
+    Matrix whole;
     std::size_t k = 0;
-    for (int i = 0; i < static_cast<int>(lightUnknowns); ++i) {
-      for (int j = 0; j <= i; ++j) {
-        matrix(i, j) = total(k++);
-        matrix(j, i) = matrix(i, j);
+    for (Eigen::Index i = 0; i < whole.rows(); ++i) {
+      for (Eigen::Index j = 0; j <= i; ++j) {
+        whole(i, j) = whole(j, i) = static_cast<double>(m_sums[k++].sum());
       }
-      right[i] = total(rightAt + static_cast<std::size_t>(i));
     }
-    return matrix.ldlt().solve(right);
+    return whole;
+  }
+
+  /*! Their right-hand side. */
+  Vector right() const
+  {
+    Vector sums;
+    for (Eigen::Index i = 0; i < sums.size(); ++i) {
+      sums[i] = static_cast<double>(m_sums[rightAt + static_cast<std::size_t>(i)].sum());
+    }
+    return sums;
   }
 
 private:
-  static constexpr std::size_t rightAt = lightUnknowns * (lightUnknowns + 1) / 2;
+  static constexpr std::size_t rightAt = unknowns * (unknowns + 1) / 2;
 
-  std::array<Lanes, 2 * laneCount> m_sums; //!< Lower triangle of the matrix, row by row, and the right-hand side.
+  std::array<Lanes, rightAt + unknowns> m_sums; //!< Lower triangle of the matrix, row by row, and the right-hand side.
 };
 } // namespace CIRCLE_MARKER_LANES
 } // namespace circle_marker

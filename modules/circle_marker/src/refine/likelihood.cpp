@@ -72,10 +72,6 @@ constexpr double shadowPrior = 0.3;
 // the surround counts half.
 constexpr float guessedVariance = 25.f;
 
-// Pixels that are left out, or not, together, where not all are asked.
-constexpr std::size_t pixelsOfRun = 16;
-static_assert(pixelsOfRun % laneCount == 0, "whole blocks");
-
 double gammaPriorAt(const BlurParameters &blur)
 {
   return gammaPrior * std::min(1., wideBlur / blur.sigma);
@@ -157,7 +153,7 @@ void Likelihood::keepResiduals()
 bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometry) const
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks);
-  LightEquations equations;
+  LightEquations<4> equations; // light, the two parts of its gradient, and contrast times light
   Lanes darkness;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     model.evaluate(block, sight, darkness);
@@ -171,7 +167,7 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
         print -= share * surround->beyond[shape];
       }
     }
-    std::array<Lanes, lightUnknowns> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness};
+    std::array<Lanes, 4> row = {paper, paper * block.offsetU, paper * block.offsetV, -darkness};
     if (photometry.shadow) {
       const Lanes share = shadowOf(block, *photometry.shadow).value;
       for (Lanes &lanes : row) {
@@ -180,7 +176,7 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
     }
     equations.add(row, print, weight);
   });
-  const Eigen::Vector4d solution = equations.solve();
+  const Eigen::Vector4d solution = equations.matrix().ldlt().solve(equations.right());
   if (!solution.allFinite() || solution[0] <= 0. || solution[3] < leastContrast) {
     return false;
   }
@@ -192,21 +188,15 @@ bool Likelihood::startPhotometry(const MarkerPlane &plane, Photometry &photometr
 
 Equations Likelihood::linearise(const MarkerPlane &plane, const Photometry &photometry, double noise)
 {
-  return pass(plane, photometry, noise, true, 1);
+  return pass(plane, photometry, noise, true);
 }
 
 Equations Likelihood::pull(const MarkerPlane &plane, const Photometry &photometry, double noise)
 {
-  return pass(plane, photometry, noise, false, 1);
+  return pass(plane, photometry, noise, false);
 }
 
-Equations Likelihood::sample(const MarkerPlane &plane, const Photometry &photometry, double noise, std::size_t every)
-{
-  return pass(plane, photometry, noise, true, every);
-}
-
-Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts,
-                           std::size_t every)
+Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts)
 {
   const ImageModel model(plane, m_pattern, photometry.blur, m_memory.blocks, m_settings.bend);
   SurroundModel beyond(plane, m_pattern.paper, photometry, m_memory.blocks, m_settings.bend);
@@ -221,11 +211,7 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight sight) {
     k = sight == last ? k : 0;
     last = sight;
-    const std::size_t direction = m_memory.blocks.direction[static_cast<std::size_t>(sight)][k];
-    // By runs of pixels, as many as the widest block has, so that all processors ask the same.
-    if (k++ * laneCount / pixelsOfRun % every != 0) {
-      return;
-    }
+    const std::size_t direction = m_memory.blocks.direction[static_cast<std::size_t>(sight)][k++];
     model.evaluate(block, sight, darkness);
     const SurroundLanes *surround = beyond.at(block);
     const GreyLanes grey = greyOf(block, surround, photometry, darkness.value);
@@ -255,8 +241,7 @@ Equations Likelihood::pass(const MarkerPlane &plane, const Photometry &photometr
     equations.matrix = m_matrix;
   }
   m_trialHasProducts = formsProducts;
-  // All priors go as the noise: of a part of the pixels they count as much less.
-  constrain(plane, photometry, noise / std::sqrt(static_cast<double>(every)), equations);
+  constrain(plane, photometry, noise, equations);
   return equations;
 }
 

@@ -108,20 +108,11 @@ public:
   /*! Light and contrast that explain the image best at a pose, by linear least squares; false if there is no print. */
   bool startPhotometry(const MarkerPlane &plane, Photometry &photometry) const;
 
-  /*! The parameters that the pixels depend on, in some light. */
-  UsedParameters usedBy(const Photometry &photometry) const;
-
   /*! One pass over the pixels. */
   Equations linearise(const MarkerPlane &plane, const Photometry &photometry, double noise);
 
   /*! The same with the matrix of the last pass of linearise() that was kept: the parameters are near those. */
   Equations pull(const MarkerPlane &plane, const Photometry &photometry, double noise);
-
-  /*!
-    The same as linearise() of one in so many of the pixels, in which all directions are seen. They are too few to be
-    kept.
-  */
-  Equations sample(const MarkerPlane &plane, const Photometry &photometry, double noise, std::size_t every);
 
   /*! Their cost alone. */
   double cost(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
@@ -150,6 +141,14 @@ public:
   /*! How much the share of the surround differs from direction to direction, by the residuals kept. */
   double unevenShareOfResiduals(double noise) const;
 
+  /*!
+    What light that bends over the marker would take off the squares of the residuals kept, grey levels^2, if light and
+    ink alone followed it: no more than it really would, where pose and blur follow as well.
+    \param photometry : The light by which they are left.
+    \param noise : By which the pixels are weighed, grey levels.
+  */
+  double bendOfResiduals(const Photometry &photometry, double noise) const;
+
   /*! Cost of the residuals kept at a noise. */
   double costOfResiduals(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
 
@@ -161,8 +160,8 @@ public:
   Explanation explain(double noise, double lacking) const;
 
 private:
-  Equations pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts,
-                 std::size_t every);
+  Equations pass(const MarkerPlane &plane, const Photometry &photometry, double noise, bool formsProducts);
+  UsedParameters usedBy(const Photometry &photometry) const;
   double spreadPriorOf(const MarkerPlane &plane, const Photometry &photometry) const;
   double priorCost(const MarkerPlane &plane, const Photometry &photometry, double noise) const;
   void constrain(const MarkerPlane &plane, const Photometry &photometry, double noise, Equations &equations) const;

@@ -348,26 +348,6 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
   return likelihood.costOfResiduals(fit.plane, fit.photometry, noise);
 }
 
-double promisedSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const Photometry &light,
-                       const MarkerPattern &pattern, const FitSettings &settings, std::size_t pixelsAsked,
-                       FitMemory &memory)
-{
-  Likelihood likelihood(pattern, settings, memory);
-  if (!likelihood.keepPixels(pixels, fit.plane, light, fit.scale, 0.)) {
-    likelihood.setPixels(pixels, fit.plane, light, fit.scale);
-  }
-  // Strong bends stay corrected as for what was evaluated last, the mirrored pose perhaps, or not if pixels were sorted
-  // anew: little of what that leaves looks like light that bends.
-  const std::size_t every = std::max<std::size_t>(pixels.size() / std::max<std::size_t>(pixelsAsked, 1), 1);
-  const Equations equations = likelihood.sample(fit.plane, light, fit.scale, every);
-  const auto promised = [&](const UsedParameters &used) {
-    return equations.right.dot(solveEquations(equations.matrix, equations.right, used));
-  };
-  // By chance the others would take some off a part of the pixels, too.
-  const double squares = promised(equations.used) - promised(likelihood.usedBy(fit.photometry));
-  return std::isfinite(squares) ? squares : 0.;
-}
-
 void explainPixels(const std::vector<FitPixel> &pixels, const FittedPose &fit, const MarkerPattern &pattern,
                    FitMemory &memory, std::vector<ExplainedPixel> &explained)
 {

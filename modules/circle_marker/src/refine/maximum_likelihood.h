@@ -156,21 +156,6 @@ double robustSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit,
                      const Photometry &surround, double noise, bool exactBends, FitMemory &memory);
 
 /*!
-  What more of the light's model would take off the squares of a fit with its next step, grey levels^2, by some of the
-  pixels; 0 if the equations are singular. The pixels must be those of the last fit, as for robustSquares().
-  \param pixels : The pixels.
-  \param fit : A fit that has settled.
-  \param light : Its light, and what it has not, of no effect yet.
-  \param pattern : The print.
-  \param settings : Of the fit.
-  \param pixelsAsked : How many of the pixels are asked, about.
-  \param memory : Working memory.
-*/
-double promisedSquares(const std::vector<FitPixel> &pixels, const FittedPose &fit, const Photometry &light,
-                       const MarkerPattern &pattern, const FitSettings &settings, std::size_t pixelsAsked,
-                       FitMemory &memory);
-
-/*!
   The pixels, in any order, as a fit explains them. They must be those of the last fit, as for robustSquares().
   \param pixels : The pixels.
   \param fit : The fit.

@@ -19,7 +19,10 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Cholesky>
+
 #include "refine/grey_model.h"
+#include "refine/light_equations.h"
 
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
@@ -104,6 +107,30 @@ ResidualSpread Likelihood::spreadOfResiduals()
   return {std::max(static_cast<double>(quantiles[0]) * sigmaOfMedian, quantisation),
           std::max(static_cast<double>(quantiles[1]) * sigmaOfQuantile, quantisation),
           std::max(static_cast<double>(quantiles[2]) * sigmaOfMedian, quantisation)};
+}
+
+// With white W, light l, gamma g and ink that leaves r of it a pixel is as bright as G = W (l r)^g: the light moves it
+// by G, to a factor, and ink by W l^g - G, nearly. So no model is looked at again.
+double Likelihood::bendOfResiduals(const Photometry &photometry, double noise) const
+{
+  LightEquations<7> equations; // light, its gradient, ink, and light's curvature
+  std::size_t k = 0;
+  forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
+    const Lanes &residual = m_memory.residuals[k++];
+    const Lanes weight = holdsPixel(block) * isPositive(brightest - block.grey) *
+                         biweight(residual, block.variance, static_cast<float>(noise)).weight;
+    const Lanes model = block.grey - residual;
+    const Lanes &u = block.offsetU;
+    const Lanes &v = block.offsetV;
+    const Lanes byU = model * u;
+    const Lanes byV = model * v;
+    const Lanes ink = static_cast<float>(photometry.white) * lightOf(block, photometry) - model;
+    equations.add({model, byU, byV, ink, byU * u, byU * v, byV * v}, residual, weight);
+  });
+  const Eigen::Matrix<double, 7, 7> matrix = equations.matrix();
+  const Eigen::Matrix<double, 7, 1> right = equations.right();
+  const auto light = right.head<4>();
+  return right.dot(matrix.ldlt().solve(right)) - light.dot(matrix.topLeftCorner<4, 4>().ldlt().solve(light));
 }
 
 double Likelihood::unevenShareOfResiduals(double noise) const

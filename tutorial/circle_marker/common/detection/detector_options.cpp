@@ -168,6 +168,7 @@ vpDetectorCircleMarker makeDetector(const DetectorSettings &settings)
   if (settings.tracking) {
     detector.setTracking(true, *settings.tracking);
   }
+  detector.setTimeout(settings.timeout);
   detector.setZAlignedWithCameraAxis(true);
   return detector;
 }

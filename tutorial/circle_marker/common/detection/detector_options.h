@@ -44,6 +44,7 @@ struct DetectorSettings
   std::optional<unsigned int> hamming;        //!< Most sectors to be corrected.
   std::optional<unsigned int> threads;        //!< Number of threads.
   std::optional<unsigned int> tracking;       //!< Every so many images the whole one is searched.
+  int timeout = 0;                            //!< Longest search of an image, milliseconds; 0: for ever.
 };
 
 /*! The options as they were written; lives as long as the CLI::App that fills it. */

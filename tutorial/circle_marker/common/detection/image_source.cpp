@@ -79,6 +79,11 @@ std::vector<Entry> numberedFiles(const std::string &input, const NumberedName &p
 {
   std::vector<Entry> entries;
   if (first && last) {
+    constexpr long mostFiles = 10000000; // names in memory: a gigabyte
+    if (*last - *first >= mostFiles) {
+      throw vpException(vpException::badValue, "--first %ld to --last %ld are more than %ld images; take them in parts",
+                        *first, *last, mostFiles);
+    }
     for (long number = *first; number <= *last; ++number) {
       entries.emplace_back(pattern(number), number);
     }

@@ -30,18 +30,6 @@
 
 namespace tutorial {
 namespace {
-vpMatrix crossMatrix(double x, double y, double z)
-{
-  vpMatrix S(3, 3, 0.);
-  S[0][1] = -z;
-  S[0][2] = y;
-  S[1][0] = z;
-  S[1][2] = -x;
-  S[2][0] = -y;
-  S[2][1] = x;
-  return S;
-}
-
 double variance(const vpMatrix &covariance, const vpColVector &direction)
 {
   return std::max(0., vpColVector::dotProd(direction, covariance * direction));
@@ -96,17 +84,9 @@ std::string secondPoseLine(const vpCircleMarkerDetection &detection)
 PoseDeviation poseDeviation(const vpCircleMarkerDetection &detection)
 {
   const vpTranslationVector t = detection.cMo.getTranslationVector();
-  vpMatrix toPlace(3, 6, 0.);
-  const vpMatrix minusCross = crossMatrix(-t[0], -t[1], -t[2]); // omega x t = -[t] omega
-  vpMatrix turn(3, 3);
-  for (unsigned int i = 0; i < 3; ++i) {
-    toPlace[i][i] = 1.;
-    for (unsigned int j = 0; j < 3; ++j) {
-      toPlace[i][3 + j] = minusCross[i][j];
-      turn[i][j] = detection.covariance[3 + i][3 + j];
-    }
-  }
-  const vpMatrix place = toPlace * detection.covariance * toPlace.t();
+  const vpMatrix covariance = detection.getCovarianceOfCenter();
+  const vpMatrix place = covariance.extract(0, 0, 3, 3);
+  const vpMatrix turn = covariance.extract(3, 3, 3, 3);
   vpColVector sight(std::vector<double>{t[0], t[1], t[2]});
   sight.normalize();
   const vpColVector normal(std::vector<double>{detection.cMo[0][2], detection.cMo[1][2], detection.cMo[2][2]});

@@ -18,6 +18,7 @@
 #ifndef VP_TUTORIAL_FEED_EYES_H
 #define VP_TUTORIAL_FEED_EYES_H
 
+#include <chrono>
 #include <functional>
 #include <string>
 
@@ -44,12 +45,15 @@ public:
   std::optional<ServoView> look(const std::function<void()> &stop) override;
 
 private:
+  using Clock = std::chrono::steady_clock; // the system's time may be set
+
   FrameFeed &m_feed;                                   //!< The camera.
   std::string m_name;                                  //!< Its name.
   double m_timeout;                                    //!< Seconds.
   std::function<bool()> m_isInterrupted;               //!< Whether to end.
   std::function<void(const std::string &)> m_onDamage; //!< Is told of damaged images.
   double m_start = unixSeconds();                      //!< Unix time, seconds.
+  Clock::time_point m_arrival = Clock::now();          //!< When the last image came.
 };
 } // namespace tutorial
 

@@ -19,25 +19,31 @@
 
 #include <vector>
 
-#include "../moved_camera.h"
+#include <visp3/core/vpThetaUVector.h>
 
 namespace tutorial {
 namespace {
-/*! AprilTag counts pixels from their corners: its points lie 0.5 pixels right of and below those of ViSP. */
-vpCameraParameters forAprilTag(const vpCameraParameters &cam)
+// Natural logarithm of the odds below which the image before tells better which of a circle's two poses is right.
+constexpr double doubtfulOdds = 5.;
+
+double distanceBetween(const vpHomogeneousMatrix &p, const vpHomogeneousMatrix &q)
 {
-  constexpr double shift = 0.5;
-  return movedPrincipalPoint(cam, shift, shift);
+  return (p.getTranslationVector() - q.getTranslationVector()).frobeniusNorm();
+}
+
+double angleBetween(const vpHomogeneousMatrix &p, const vpHomogeneousMatrix &q)
+{
+  return vpThetaUVector(p.getRotationMatrix().t() * q.getRotationMatrix()).getTheta();
 }
 } // namespace
 
 //! [Pose source]
 PoseSource::PoseSource(const ServoObject &object, const vpCameraParameters &cam, const DetectorSettings &settings)
-    : m_object(object), m_cam(cam), m_tagCam(forAprilTag(cam)), m_circleDetector(makeDetector(settings)),
-      m_tagDetector(vpDetectorAprilTag::TAG_36h11)
+    : m_object(object), m_cam(cam), m_circleDetector(makeDetector(settings))
 {
-  m_tagDetector.setZAlignedWithCameraAxis(true);
-  m_tagDetector.setAprilTagQuadDecimate(1.f); // the whole resolution
+  if (object.aprilTag) {
+    m_tag.emplace(*object.aprilTag, cam);
+  }
 }
 
 ObjectSighting PoseSource::look(const vpImage<unsigned char> &I)
@@ -46,8 +52,11 @@ ObjectSighting PoseSource::look(const vpImage<unsigned char> &I)
   if (m_object.circle) {
     sighting.byCircle = lookForCircle(I);
   }
-  if (m_object.aprilTag && !sighting.byCircle) {
-    sighting.byAprilTag = lookForTag(I);
+  if (m_tag && !sighting.byCircle) {
+    sighting.byAprilTag = m_tag->look(I);
+  }
+  if (sighting.best()) {
+    m_last = sighting.best();
   }
   return sighting;
 }
@@ -56,26 +65,42 @@ std::optional<vpHomogeneousMatrix> PoseSource::lookForCircle(const vpImage<unsig
 {
   std::vector<vpHomogeneousMatrix> cMm;
   m_circleDetector.detect(I, m_object.circle->size, m_cam, cMm);
-  const std::vector<int> ids = m_circleDetector.getTagsId();
-  for (std::size_t i = 0; i < cMm.size(); ++i) {
-    if (ids[i] == m_object.circle->id || m_object.circle->id == anyId) {
-      return cMm[i] * m_object.circle->oMm.inverse();
+  std::optional<vpHomogeneousMatrix> nearest;
+  const vpCircleMarkerDetection *seen = nullptr;
+  for (const vpCircleMarkerDetection &detection : m_circleDetector.getDetections()) {
+    if (!isSought(detection)) {
+      continue;
+    }
+    const vpHomogeneousMatrix cMo = poseFrom(detection);
+    const bool isNearer = nearest && m_last && distanceBetween(*m_last, cMo) < distanceBetween(*m_last, *nearest);
+    if (!nearest || isNearer) { // at first, the largest
+      nearest = cMo;
+      seen = &detection;
     }
   }
-  return std::nullopt;
+  if (seen != nullptr) {
+    m_own = {seen->family.getName(), seen->id};
+  }
+  return nearest;
+}
+
+bool PoseSource::isSought(const vpCircleMarkerDetection &detection) const
+{
+  if (m_own) {
+    return detection.family.getName() == m_own->first && detection.id == m_own->second;
+  }
+  return m_object.circle->id == anyId || detection.id == m_object.circle->id;
+}
+
+vpHomogeneousMatrix PoseSource::poseFrom(const vpCircleMarkerDetection &detection) const
+{
+  const vpHomogeneousMatrix mMo = m_object.circle->oMm.inverse();
+  const vpHomogeneousMatrix cMo = detection.cMo * mMo;
+  if (!detection.hasSecondPose || detection.logOdds >= doubtfulOdds || !m_last) {
+    return cMo;
+  }
+  const vpHomogeneousMatrix other = detection.cMo2 * mMo;
+  return angleBetween(*m_last, other) < angleBetween(*m_last, cMo) ? other : cMo;
 }
 //! [Pose source]
-
-std::optional<vpHomogeneousMatrix> PoseSource::lookForTag(const vpImage<unsigned char> &I)
-{
-  std::vector<vpHomogeneousMatrix> cMm;
-  m_tagDetector.detect(I, m_object.aprilTag->size, m_tagCam, cMm);
-  const std::vector<int> ids = m_tagDetector.getTagsId();
-  for (std::size_t i = 0; i < cMm.size(); ++i) {
-    if (ids[i] == m_object.aprilTag->id) {
-      return cMm[i] * m_object.aprilTag->oMm.inverse();
-    }
-  }
-  return std::nullopt;
-}
 } // namespace tutorial

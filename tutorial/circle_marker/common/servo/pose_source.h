@@ -19,16 +19,18 @@
 #define VP_TUTORIAL_POSE_SOURCE_H
 
 #include <optional>
+#include <string>
+#include <utility>
 
 #include <visp3/circle_marker/vpDetectorCircleMarker.h>
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpHomogeneousMatrix.h>
 #include <visp3/core/vpImage.h>
-#include <visp3/detection/vpDetectorAprilTag.h>
 
 #include "../detection/detector_options.h"
 #include "../visp_names.h"
 #include "servo_scene.h"
+#include "tag_source.h"
 
 namespace tutorial {
 /*! Pose of the object, z into the markers, from the marker that was seen. */
@@ -44,7 +46,8 @@ struct ObjectSighting
 };
 
 /*!
-  Sees the object's markers.
+  Sees the object's markers. A servo goes on with the marker that it has begun with, and where one image hardly tells
+  the two poses of a circle apart, with that which is nearer to the one before.
 */
 class PoseSource
 {
@@ -53,6 +56,7 @@ public:
     \param object : What is looked for.
     \param cam : The camera.
     \param settings : How the circular marker is looked for; its size is the object's.
+    \exception vpException : If the object has an AprilTag and ViSP was built without.
   */
   PoseSource(const ServoObject &object, const vpCameraParameters &cam, const DetectorSettings &settings);
 
@@ -64,13 +68,15 @@ public:
 
 private:
   std::optional<vpHomogeneousMatrix> lookForCircle(const vpImage<unsigned char> &I);
-  std::optional<vpHomogeneousMatrix> lookForTag(const vpImage<unsigned char> &I);
+  bool isSought(const vpCircleMarkerDetection &detection) const;
+  vpHomogeneousMatrix poseFrom(const vpCircleMarkerDetection &detection) const;
 
-  ServoObject m_object;                    //!< What is looked for.
-  vpCameraParameters m_cam;                //!< The camera.
-  vpCameraParameters m_tagCam;             //!< The camera, for AprilTag's pixels.
-  vpDetectorCircleMarker m_circleDetector; //!< Finds the circular marker.
-  vpDetectorAprilTag m_tagDetector;        //!< Finds the AprilTag.
+  ServoObject m_object;                             //!< What is looked for.
+  vpCameraParameters m_cam;                         //!< The camera.
+  vpDetectorCircleMarker m_circleDetector;          //!< Finds the circular marker.
+  std::optional<TagSource> m_tag;                   //!< Finds the AprilTag, if there is one.
+  std::optional<std::pair<std::string, int>> m_own; //!< Family and id of the circular marker that it has begun with.
+  std::optional<vpHomogeneousMatrix> m_last;        //!< The object's pose when it was last seen.
 };
 } // namespace tutorial
 

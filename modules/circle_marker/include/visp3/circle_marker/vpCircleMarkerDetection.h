@@ -54,10 +54,11 @@ struct vpImageEllipse
   The frame of the poses follows vpDetectorCircleMarker::setZAlignedWithCameraAxis(). A covariance is that of
   \f$ \delta = (\upsilon, \omega) \f$ in the camera frame, metres and radians, with
   \f$ ^cM_o^{true} = \exp(\delta) \, ^cM_o \f$ (vpExponentialMap), and does not depend on that choice.
+  It is about the camera's centre: that of the marker's own place is getCovarianceOfCenter().
   Each pose has that of its own fit: of two, one is true, and the covariance does not tell of the other. A second pose
   that trails far behind (log-odds of some 30) was left as a fit of few pixels had it, with the covariance of these.
 */
-struct vpCircleMarkerDetection
+struct VISP_EXPORT vpCircleMarkerDetection
 {
   vpCircleMarkerFamily family;           //!< Family the marker belongs to.
   int id = -1;                           //!< Identity in the family; -1 for a family without code.
@@ -77,6 +78,8 @@ struct vpCircleMarkerDetection
   vpMatrix covariance2 = vpMatrix(6, 6); //!< The same of cMo2; zero without a second solution.
   bool isInverse = false;                //!< Whether it is white on black: see vpDetectorCircleMarker::setPolarity().
   double visible = 0.;                   //!< Share of the ring's outer edge that was seen, in [0, 1].
+
+  vpMatrix getCovarianceOfCenter() const;
 };
 
 END_VISP_NAMESPACE
