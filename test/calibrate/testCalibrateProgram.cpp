@@ -209,6 +209,11 @@ TEST(CalibrateProgram, AsymmetricGridAndChessboard)
   EXPECT_NEAR(board["models"][0]["camera"]["px"].get<double>(), 1600., 1.5);
   EXPECT_LT(board["models"][0]["rms_pixels"].get<double>(), 0.06);
   EXPECT_FALSE(board["models"][0].contains("by_ellipse_centers"));
+  // Higher than wide: the sheet has to hold it, too.
+  const Json upright = resultOf({"--target", "chessboard", "--columns", "6", "--rows", "9", "--spacing", "0.03",
+                                 "--simulate", "4", "--seed", "2", "--model", "plain"},
+                                folder);
+  EXPECT_FALSE(upright.is_null());
 }
 
 TEST(CalibrateProgram, ViewsThatSayTooLittleAreRefusedWithTheReason)

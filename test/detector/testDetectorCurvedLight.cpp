@@ -28,7 +28,7 @@ using namespace detector_test;
 
 // With a plane for the light d^2 by degrees of freedom was 3.5 of golay23 and 20 of plain rings of 100 to 220 pixels
 // where the corners have 0.64 of the light, as any lens of 800 pixels leaves 27 degrees off its axis; and golay23's
-// depth was off by 2.9 standard deviations. Noise falls off with the light here, and is rounded twice.
+// depth was off by 2.9 standard deviations. Greys are rounded twice here.
 TEST(DetectorCurvedLight, MarkersAreMeasuredBeforeLensesThatDarkenTheCorners)
 {
   Random random = randomOfTest();
@@ -40,8 +40,8 @@ TEST(DetectorCurvedLight, MarkersAreMeasuredBeforeLensesThatDarkenTheCorners)
         }
         HonestyScenes scenes{vpCircleMarkerFamily(type)};
         scenes.diameters = diameters;
-        scenes.process = [corner](vpImage<unsigned char> &I, Random &) {
-          common::darkenCorners(corner, straightCamera(), I);
+        scenes.process = [corner, noise = scenes.noise](vpImage<unsigned char> &I, Random &random) {
+          common::darkenCorners(corner, straightCamera(), noise, random(), I);
         };
         const Honesty honesty = honestyOf(scenes, random);
         const std::string what = scenes.family.getName() + " from " + std::to_string(diameters.first) + " pixels, " +

@@ -60,6 +60,18 @@ TEST(NavigationProgram, FollowsTasksAndKnowsWhereItIs)
   EXPECT_TRUE(fs::exists(folder / "out/track.csv"));
 }
 
+// What is in the room is looked for, whatever its family.
+TEST(NavigationProgram, MarkersOfAllFamiliesAreSeen)
+{
+  unsetenv("DISPLAY");
+  const fs::path folder = test::emptyFolder();
+  std::ofstream(folder / "room.json")
+      << R"({"markers": [{"family": "bch31r", "id": 3, "size": 0.18, "name": "window", "payload": {"task": "stop"},
+             "pose": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]}]})";
+  const test::Outcome outcome = test::run(NAVIGATION_PROGRAM, {"--output", "out", "--database", "room.json"}, folder);
+  EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
 TEST(NavigationProgram, PayloadsThatAreNoTasksAreNamed)
 {
   const fs::path folder = test::emptyFolder();

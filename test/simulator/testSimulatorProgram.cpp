@@ -155,6 +155,20 @@ TEST(SimulatorProgram, RoomsAreFilesToo)
   EXPECT_TRUE(isSaid(bad.err, "line 2")) << bad.err;
 }
 
+// A lens with kdu = -0.2 folds over at 0.86 focal lengths from the axis: the charger is beyond that at the start, and
+// others come there while the camera turns.
+TEST(SimulatorProgram, MarkersBeyondWhatALensShowsAreNotDrawn)
+{
+  const fs::path folder = test::emptyFolder();
+  std::ofstream(folder / "wide.xml")
+      << "<?xml version=\"1.0\"?><root><camera><name>Camera</name><image_width>640</image_width>"
+         "<image_height>480</image_height><model><type>perspectiveProjWithDistortion</type><px>500</px><py>500</py>"
+         "<u0>319.5</u0><v0>239.5</v0><kud>0.2</kud><kdu>-0.2</kdu></model></camera></root>";
+  const std::vector<Json> lines = runScript("wait 2\n", folder, {"--intrinsic", "wide.xml", "--camera-name", "Camera"});
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_NE(find(lines.back(), 1), nullptr);
+}
+
 TEST(SimulatorProgram, WrongArgumentsAndScriptsSayWhatToDo)
 {
   const fs::path folder = test::emptyFolder();

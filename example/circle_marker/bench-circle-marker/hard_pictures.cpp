@@ -71,7 +71,7 @@ vpCameraParameters hardCamera(const Hardship &hardship, unsigned int width, unsi
   return camera;
 }
 
-void processPicture(const Hardship &hardship, Scene &scene)
+void processPicture(const Hardship &hardship, double noise, std::uint64_t seed, Scene &scene)
 {
   if (isUndistorted(hardship)) {
     return undistort(scene);
@@ -83,7 +83,7 @@ void processPicture(const Hardship &hardship, Scene &scene)
     return common::raiseContrast(hardship.level, scene.image);
   }
   if (hardship.name == "darker corners") {
-    return common::darkenCorners(hardship.level, scene.camera, scene.image);
+    return common::darkenCorners(hardship.level, scene.camera, noise, seed, scene.image);
   }
   const common::Processing processing = processingOf(hardship);
   common::process(processing, scene.image);

@@ -29,7 +29,7 @@ bool isOfPictures(const Hardship &hardship);
 vpCameraParameters hardCamera(const Hardship &hardship, unsigned int width, unsigned int height);
 
 /*! Makes the picture as it comes to the detector, with what is true of it. */
-void processPicture(const Hardship &hardship, Scene &scene);
+void processPicture(const Hardship &hardship, double noise, std::uint64_t seed, Scene &scene);
 } // namespace bench
 
 #endif

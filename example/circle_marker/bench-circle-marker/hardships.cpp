@@ -398,7 +398,7 @@ Scene makeHardScene(const Hardship &hardship, const std::string &family, std::ui
   Scene scene;
   scene.camera = draft.simulator.getCameraParameters();
   scene.truth = draft.simulator.render(scene.image, seed);
-  processPicture(hardship, scene);
+  processPicture(hardship, draft.photometry.noiseSigma, seed, scene);
   return scene;
 }
 } // namespace bench

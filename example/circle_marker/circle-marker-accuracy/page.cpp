@@ -40,8 +40,8 @@ void addIntroduction(const std::vector<std::string> &comments, Document &documen
   document.addParagraph(
       "How near the poses of vpDetectorCircleMarker are to what the noise of an image allows. Every figure is made by "
       "circle-marker-accuracy on the simulated camera, which shares no code with the detector; every error is divided "
-      "by the Cramer-Rao bound of its own pose (vpMarkerPoseBound): 1 is the limit that no unbiased method passes, "
-      "whatever it does.");
+      "by the Cramer-Rao bound of its own pose (vpMarkerPoseBound): 1 is the limit of all unbiased methods that know "
+      "nothing of what lies beyond the quiet zone.");
   document.addListing("build/bin/circle-marker-accuracy --output results --frames N --page doc/accuracy\n"
                       "build/bin/circle-marker-accuracy --from results --page doc/accuracy   # the page alone, anew");
   document.addParagraph("These results: " + joined(comments) + ".");

@@ -56,16 +56,18 @@ double probability(const Record &record)
   return 1. / (1. + std::exp(-record.logOdds));
 }
 
-// Mean length of a vector by its root mean square, at least: that of one whose parts but one are nothing.
+// Mean length of a vector by its root mean square: that of one whose parts but one are nothing, and the least. What is
+// expected at the bound is a mean over poses; of so many images another may come by chance, and of few that are
+// expected to be mirrored a very different one.
 const double meanOfRms = std::sqrt(2. / M_PI);
 
-double leastPosition(const Record &record)
+double positionAtBound(const Record &record)
 {
   return meanOfRms *
          std::sqrt(record.boundX * record.boundX + record.boundY * record.boundY + record.boundZ * record.boundZ);
 }
 
-double leastNormal(const Record &record)
+double normalAtBound(const Record &record)
 {
   return (1. - record.predicted) * std::min(meanOfRms * record.boundNormal, record.tilt) +
          record.predicted * 2. * record.tilt;
@@ -125,8 +127,8 @@ Summary summaryOf(const Records &records)
   summary.positionMedian = position.median;
   summary.normal = normal.mean;
   summary.normalMedian = normal.median;
-  summary.positionBound = over(found, leastPosition).mean;
-  summary.normalBound = over(found, leastNormal).mean;
+  summary.positionBound = over(found, positionAtBound).mean;
+  summary.normalBound = over(found, normalAtBound).mean;
   summary.positionSpread = position.sigma;
   summary.normalSpread = normal.sigma;
   summary.milliseconds = over(records, [](const Record &r) { return r.milliseconds; }).median;

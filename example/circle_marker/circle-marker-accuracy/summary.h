@@ -62,7 +62,7 @@ struct Summary
   double position = none, positionMedian = none;     //!< |C - eC| over all frames found, mm.
   double normal = none, normalMedian = none;         //!< Angle of the normal over all frames found, degrees.
   double positionSpread = none, normalSpread = none; //!< Standard deviations of these two.
-  double positionBound = none, normalBound = none;   //!< The least these two means can be: see summaryOf().
+  double positionBound = none, normalBound = none;   //!< What these two means are expected to be, about.
   double rotation = none;     //!< Root mean square of the rotation's error, degrees; 6 degrees of freedom.
   double milliseconds = none; //!< Median CPU time of an image.
 
@@ -72,8 +72,8 @@ struct Summary
 
 /*!
   The mean length of a normally distributed error is sqrt(2/pi) of its root mean square at least: so much of the bound
-  is the least the means over the frames found can be. Of the normal's error it is no more than the tilt, for the bound
-  is one of the first order and grows without limit where the marker faces the camera; and as often as the wrong
+  is what the means over the frames found are compared with. Of the normal's error it is no more than the tilt, for the
+  bound is one of the first order and grows without limit where the marker faces the camera; and as often as the wrong
   solution is predicted to be the likelier one, the error is twice the tilt.
 */
 Summary summaryOf(const Records &records);

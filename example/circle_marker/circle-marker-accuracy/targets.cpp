@@ -26,14 +26,15 @@
 namespace accuracy {
 namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
-// A figure over fewer images says nothing.
+// A figure over fewer images says nothing. Where more were made, and fewer found, its target is missed: what is not
+// found is not measured.
 constexpr std::size_t leastImages = 5;
 
 // Degrees of freedom, for the standard error of a mean of chi-squared over them: 5 or 6.
 constexpr double leastDof = 5.;
 // Standard error of the 95 % quantile of chi-squared (5 degrees of freedom) over that quantile, of one image:
-// sqrt(0.05 * 0.95) / (density there, 0.0205) / 11.07.
-constexpr double quantileError = 0.96;
+// sqrt(0.05 * 0.95) / (density there, 0.0193) / 11.07.
+constexpr double quantileError = 1.02;
 
 double root(std::size_t count)
 {
@@ -53,28 +54,34 @@ double share(std::size_t part, std::size_t whole)
   return static_cast<double>(part) / static_cast<double>(whole);
 }
 
+/*! A figure; none over too few images. */
+double figureOf(double value, std::size_t images)
+{
+  return images < leastImages ? std::numeric_limits<double>::quiet_NaN() : value;
+}
+
 void addRatios(const Summary &s, const std::string &where, double most, std::vector<Check> &checks)
 {
   for (int q = 0; q < QUANTITIES; ++q) {
-    checks.push_back({std::string("RMS / bound, ") + quantityNames[q], where, s.ratio[q], -infinity, most, s.right,
-                      s.ratio[q] * s.ratioError()});
+    checks.push_back({std::string("RMS / bound, ") + quantityNames[q], where, figureOf(s.ratio[q], s.right), -infinity,
+                      most, s.right, s.ratio[q] * s.ratioError()});
   }
 }
 
 void addBiases(const Summary &s, const std::string &where, std::vector<Check> &checks)
 {
   for (int q = 0; q < QUANTITIES; ++q) {
-    checks.push_back({std::string("|bias| / sigma, ") + quantityNames[q], where, std::fabs(s.bias[q]), -infinity, 0.2,
-                      s.right, s.ratio[q] / root(s.right)});
+    checks.push_back({std::string("|bias| / sigma, ") + quantityNames[q], where,
+                      figureOf(std::fabs(s.bias[q]), s.right), -infinity, 0.2, s.right, s.ratio[q] / root(s.right)});
   }
 }
 
 void addHonesty(const Summary &s, const std::string &where, std::vector<Check> &checks)
 {
-  checks.push_back({"mean of Mahalanobis^2 / dof", where, s.mahalanobis, 0.9, 1.15, s.right,
+  checks.push_back({"mean of Mahalanobis^2 / dof", where, figureOf(s.mahalanobis, s.right), 0.9, 1.15, s.right,
                     std::sqrt(2. / leastDof) / root(s.right)});
-  checks.push_back(
-      {"95 % of Mahalanobis^2 / chi^2's", where, s.mahalanobis95, 0.85, 1.15, s.right, quantileError / root(s.right)});
+  checks.push_back({"95 % of Mahalanobis^2 / chi^2's", where, figureOf(s.mahalanobis95, s.right), 0.85, 1.15, s.right,
+                    quantileError / root(s.right)});
 }
 
 void addLimits(const Records &limits, std::vector<Check> &checks)
@@ -87,12 +94,12 @@ void addLimits(const Records &limits, std::vector<Check> &checks)
       for (std::size_t i = 0; i < 2; ++i) {
         const Range minor = minorRanges()[i];
         const Summary s = summaryOf(chosen(here, minor.filter));
-        if (s.right >= leastImages) {
+        if (s.frames >= leastImages) {
           addRatios(s, std::string(family) + ", " + octave.name + ", " + minor.name, mostRatios[i], checks);
         }
       }
       const Summary s = summaryOf(chosen(here, minorRanges()[0].filter));
-      if (s.right >= leastImages) {
+      if (s.frames >= leastImages) {
         addBiases(s, std::string(family) + ", " + octave.name + ", " + minorRanges()[0].name, checks);
         addHonesty(s, std::string(family) + ", " + octave.name + ", " + minorRanges()[0].name, checks);
       }
@@ -140,19 +147,19 @@ void addModel(const Records &model, std::vector<Check> &checks)
   for (const Factor &factor : factors()) {
     const Summary s = summaryOf(chosen(model, inGroup(factor.name)));
     const std::string name = factor.name;
-    if (s.right < leastImages) {
+    if (s.frames < leastImages) {
       continue;
     }
     if (name.rfind("gamma", 0) == 0 || name.rfind("ink", 0) == 0) {
-      checks.push_back({"|bias of z|, per cent", name, std::fabs(s.depthBias), -infinity, 0.1, s.right,
-                        s.depthSpread / root(s.right)});
+      checks.push_back({"|bias of z|, per cent", name, figureOf(std::fabs(s.depthBias), s.right), -infinity, 0.1,
+                        s.right, s.depthSpread / root(s.right)});
     }
     if (name.find(" off") != std::string::npos) {
       continue; // What a wrong calibration does to a pose no image tells: the detector has to be told.
     }
     for (int q = 0; q < QUANTITIES; ++q) {
-      checks.push_back({std::string("RMS / reported sigma, ") + quantityNames[q], name, s.optimism[q], -infinity, 2.,
-                        s.right, s.optimism[q] * s.ratioError()});
+      checks.push_back({std::string("RMS / reported sigma, ") + quantityNames[q], name,
+                        figureOf(s.optimism[q], s.right), -infinity, 2., s.right, s.optimism[q] * s.ratioError()});
     }
   }
 }
@@ -182,14 +189,14 @@ void addTags(const Records &tags, std::vector<Check> &checks)
   for (std::size_t octave = 1; octave < octaves.size(); ++octave) {
     const Records here = commonImages(chosen(tags, inGroup("octave " + std::to_string(octave))));
     const Summary circle = summaryOf(chosen(here, byMethod("circle")));
-    if (circle.right < leastImages) {
+    if (circle.frames < leastImages) {
       continue;
     }
     const Summary tag[] = {summaryOf(chosen(here, byMethod("apriltag-1"))),
                            summaryOf(chosen(here, byMethod("apriltag-2")))};
     const auto add = [&](const std::string &name, double ours, double first, double second) {
       checks.push_back({"RMS of circle / AprilTag, " + name, octaveRanges()[octave - 1].name,
-                        ours / std::fmin(first, second), -infinity, 0.2, circle.right,
+                        figureOf(ours / std::fmin(first, second), circle.right), -infinity, 0.2, circle.right,
                         ours / std::fmin(first, second) / root(circle.right)});
     };
     for (int q = X; q <= Z; ++q) {

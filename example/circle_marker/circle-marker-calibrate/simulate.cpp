@@ -121,7 +121,7 @@ vpSimulatedMarker chessboard(const Target &target, const TargetPose &pose)
   }
   return vpSimulatedMarker::bitmap(picture, columns * side, rows * side)
       .setPose(poseAt(pose, paperOf(target).middle))
-      .setQuietZone(side);
+      .setSheetSide(std::max(columns, rows) * side + 2. * side); // a field of paper around it
 }
 } // namespace
 

@@ -26,7 +26,7 @@
 #include "trial.h"
 
 namespace compare {
-/*! One row for each frame and method, after lines that begin with # and tell what was done. The last column is time. */
+/*! One row for each frame and method. The last column is time. */
 std::string csvOf(const std::vector<Trial> &trials);
 
 /*! The settings and the statistics of each cell and method; null where there was no frame to take them over. */

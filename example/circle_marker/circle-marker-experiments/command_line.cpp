@@ -53,7 +53,7 @@ void addOptions(CLI::App &app, Settings &settings)
       ->check(common::numberIn(0.01, 1.))
       ->capture_default_str();
   app.add_option("--noise", settings.noise, "Standard deviation of the noise, grey levels")
-      ->check(common::numberIn(0., 50.))
+      ->check(common::numberIn(0.1, 50.)) // without noise there is no bound to compare with
       ->capture_default_str();
   app.add_option("--blur", settings.blur, "Standard deviation of the blur, pixels")
       ->check(common::numberIn(0., 10.))

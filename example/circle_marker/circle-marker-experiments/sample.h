@@ -56,7 +56,7 @@ struct Sample
 /*! The samples of a frame, one for each method of its series, in their order. */
 using FrameSamples = std::vector<Sample>;
 
-/*! Whether an estimate would mislead: off by more than a tenth of the distance, or by 20 degrees and mirrored. */
+/*! Whether an estimate would mislead: off by more than a tenth of the distance, or its normal by 20 degrees. */
 bool isWrong(const Sample &sample);
 } // namespace experiments
 

@@ -55,6 +55,7 @@ public:
         m_belief(start()), m_wheels(start()), m_scene(robotsCamera(), width, height)
   {
     m_detector.setZAlignedWithCameraAxis(true);
+    m_detector.setFamilies(common::familiesOf(room));
     m_detector.setDatabase(room.markers);
   }
 

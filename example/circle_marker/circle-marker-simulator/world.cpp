@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "common/pose_distance.h"
 #include "common/pose_error.h"
@@ -79,28 +78,13 @@ Comparison compare(const vpMarkerTruth &truth, const std::vector<vpCircleMarkerD
   }
   return comparison;
 }
-
-/*! All families of the room's markers, those that others contain first. */
-std::vector<vpCircleMarkerFamily> familiesOf(const common::Room &room)
-{
-  std::vector<vpCircleMarkerFamily> families;
-  std::set<std::string> names;
-  for (const vpCircleMarkerEntry &entry : room.markers.getEntries()) {
-    const bool isNew = names.insert(entry.family.getName()).second;
-    const bool isFirst = entry.family.getType() == vpCircleMarkerFamily::BCH31R;
-    if (isNew) {
-      families.insert(isFirst ? families.begin() : families.end(), entry.family);
-    }
-  }
-  return families;
-}
 } // namespace
 
 World::World(const common::Room &room, const vpCameraParameters &cam, unsigned int width, unsigned int height,
              std::uint64_t seed)
     : m_room(room), m_cam(cam), m_scene(cam, width, height), m_seed(seed)
 {
-  m_detector.setFamilies(familiesOf(room));
+  m_detector.setFamilies(common::familiesOf(room));
   m_detector.setZAlignedWithCameraAxis(true);
   m_detector.setDatabase(room.markers);
 }

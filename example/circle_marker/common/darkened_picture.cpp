@@ -19,10 +19,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace common {
-void darkenCorners(double corner, const vpCameraParameters &camera, vpImage<unsigned char> &I)
+void darkenCorners(double corner, const vpCameraParameters &camera, double noise, std::uint64_t seed,
+                   vpImage<unsigned char> &I)
 {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
   const double lastU = I.getWidth() - 1.;
   const double lastV = I.getHeight() - 1.;
   const double farthest = std::hypot(std::max(camera.get_u0(), lastU - camera.get_u0()),
@@ -32,7 +36,10 @@ void darkenCorners(double corner, const vpCameraParameters &camera, vpImage<unsi
     for (unsigned int u = 0; u < I.getWidth(); ++u) {
       const double share = std::hypot(u - camera.get_u0(), v - camera.get_v0()) / farthest;
       const double left = std::pow(1. + std::pow(share * tangent, 2.), -2.);
-      I[v][u] = static_cast<unsigned char>(std::lround(left * I[v][u]));
+      // Noise that the sensor makes does not fall off with the light: what was lost of it comes back.
+      const double lost = noise * std::sqrt(std::max(0., 1. - left * left));
+      const double grey = left * I[v][u] + lost * normal(random);
+      I[v][u] = static_cast<unsigned char>(std::lround(std::min(255., std::max(0., grey))));
     }
   }
 }

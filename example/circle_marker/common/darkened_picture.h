@@ -18,6 +18,8 @@
 #ifndef VP_COMMON_DARKENED_PICTURE_H
 #define VP_COMMON_DARKENED_PICTURE_H
 
+#include <cstdint>
+
 #include <visp3/core/vpCameraParameters.h>
 #include <visp3/core/vpImage.h>
 
@@ -28,9 +30,12 @@ namespace common {
   Vignetting: light falls off from the camera's axis as the fourth power of the cosine of an angle does.
   \param corner : Share of the light that is left in the corner that is farthest from the axis.
   \param camera : The camera; its principal point counts.
+  \param noise : Standard deviation of the picture's noise, grey levels; it stays what it is.
+  \param seed : Of what of it is made anew.
   \param I : The picture.
 */
-void darkenCorners(double corner, const vpCameraParameters &camera, vpImage<unsigned char> &I);
+void darkenCorners(double corner, const vpCameraParameters &camera, double noise, std::uint64_t seed,
+                   vpImage<unsigned char> &I);
 } // namespace common
 
 #endif

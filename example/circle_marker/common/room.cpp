@@ -18,6 +18,7 @@
 #include "room.h"
 
 #include <cmath>
+#include <set>
 #include <sstream>
 
 #include <visp3/core/vpException.h>
@@ -47,6 +48,24 @@ std::string taskTo(const Place &place)
   text << "{\"task\":\"go\",\"to\":[" << rounded(place.x - standOff * std::sin(direction)) << ","
        << rounded(place.z - standOff * std::cos(direction)) << "],\"look_deg\":" << place.direction << "}";
   return text.str();
+}
+
+/*! Whether the camera's model has an image of the whole sheet: beyond where a lens folds over there is none. */
+bool isWithinLens(const vpHomogeneousMatrix &cMo, double size, const vpMarkerSceneSimulator &scene)
+{
+  constexpr double half = 0.6; // of a sheet with its quiet zone, by the ring's size
+  try {
+    for (const double x : {-half * size, 0., half * size}) {
+      for (const double y : {-half * size, 0., half * size}) {
+        const vpColVector point = cMo * vpColVector(std::vector<double>{x, y, 0., 1.});
+        scene.project(point[0], point[1], point[2]);
+      }
+    }
+  }
+  catch (const vpException &) {
+    return false;
+  }
+  return true;
 }
 } // namespace
 
@@ -99,6 +118,20 @@ Room readRoom(const std::string &file)
                     file.c_str());
 }
 
+std::vector<vpCircleMarkerFamily> familiesOf(const Room &room)
+{
+  std::vector<vpCircleMarkerFamily> families;
+  std::set<std::string> names;
+  for (const vpCircleMarkerEntry &entry : room.markers.getEntries()) {
+    const bool isNew = names.insert(entry.family.getName()).second;
+    const bool isFirst = entry.family.getType() == vpCircleMarkerFamily::BCH31R;
+    if (isNew) {
+      families.insert(isFirst ? families.begin() : families.end(), entry.family);
+    }
+  }
+  return families;
+}
+
 void addMarkers(const Room &room, const vpHomogeneousMatrix &wMc, vpMarkerSceneSimulator &scene)
 {
   const vpHomogeneousMatrix cMw = wMc.inverse();
@@ -109,7 +142,7 @@ void addMarkers(const Room &room, const vpHomogeneousMatrix &wMc, vpMarkerSceneS
     const vpHomogeneousMatrix cMo = cMw * *entry.wMo;
     // Nearer than its own size a marker is larger than the image, or partly behind the camera.
     const bool isFront = cMo[2][3] > entry.size && cMo[2][3] > 0.2 * std::abs(cMo[0][3]);
-    if (!isFront) {
+    if (!isFront || !isWithinLens(cMo, entry.size, scene)) {
       continue;
     }
     const std::string family = entry.family.getName();

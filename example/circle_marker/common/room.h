@@ -55,6 +55,9 @@ Room makeRoom();
 */
 Room readRoom(const std::string &file);
 
+/*! \return All families of a room's markers, those that others contain first. */
+std::vector<vpCircleMarkerFamily> familiesOf(const Room &room);
+
 /*! \return Pose wMx of something that looks in a direction: 0 along z, pi/2 along x; radians. */
 vpHomogeneousMatrix lookingAlong(double x, double y, double z, double direction);
 

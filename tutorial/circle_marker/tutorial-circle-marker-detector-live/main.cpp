@@ -55,7 +55,7 @@ ImageResult detectMarkers(vpDetectorCircleMarker &detector, const Frame &frame, 
 {
   std::vector<vpHomogeneousMatrix> cMo;
   // Of this thread where it does all the work: others acquire and record at the same time.
-  const auto clock = settings.threads.value_or(1) > 1 ? processorMilliseconds : threadMilliseconds;
+  const auto clock = detector.getNbThreads() > 1 ? processorMilliseconds : threadMilliseconds;
   const double start = clock();
   detector.detect(frame.image, settings.size, cam, cMo);
   const double end = clock();
@@ -149,11 +149,23 @@ private:
     try {
       one(frame);
     }
-    catch (const vpException &e) {
-      m_isGood = false;
-      endProgress();
-      program.complain("\"" + frame.name + "\" is left out: " + e.what());
+    catch (const CameraError &e) { // of the first image it is an argument that is wrong
+      if (m_isFirst) {
+        throw;
+      }
+      leaveOut(frame, e.what());
     }
+    catch (const vpException &e) {
+      leaveOut(frame, e.what());
+    }
+    m_isFirst = false;
+  }
+
+  void leaveOut(const Frame &frame, const std::string &reason)
+  {
+    m_isGood = false;
+    endProgress();
+    program.complain("\"" + frame.name + "\" is left out: " + reason);
   }
 
   void one(const Frame &frame)
@@ -170,9 +182,12 @@ private:
     const bool isRecorded = m_recorder && (!m_window || m_window->choices().record);
     if (isRecorded) {
       m_result.name = m_recorder->nextName();
-      m_recorder->record(image, jsonLine(m_result));
     }
-    keep(jsonLine(m_result));
+    const std::string line = jsonLine(m_result);
+    keep(line);
+    if (isRecorded) {
+      m_recorder->record(image, line);
+    }
     m_statistics.add(m_result.cpuMilliseconds, m_result.live->latencyMilliseconds);
     if (m_window) {
       m_image = image;
@@ -231,11 +246,11 @@ private:
   void finish()
   {
     endProgress();
+    if (!m_order.json.empty()) { // first: the disk of the recording may be full
+      writeWholeText(m_order.json, m_lines);
+    }
     if (m_recorder) {
       m_recorder->finish();
-    }
-    if (!m_order.json.empty()) {
-      writeWholeText(m_order.json, m_lines);
     }
     std::cerr << LiveStatistics::summary(m_feed->counts()) << std::endl;
   }
@@ -252,6 +267,7 @@ private:
   vpCameraParameters m_cam;           //!< Its camera.
   ImageResult m_result;               //!< What was found in it.
   std::string m_lines;                //!< Results so far.
+  bool m_isFirst = true;              //!< Whether no image has been used or left out yet.
   bool m_isEnd = false;               //!< Whether there are no more images.
   bool m_isGood = true;               //!< Whether the camera has not failed.
   bool m_hasProgress = false;         //!< Whether a line of progress is being written.

@@ -61,7 +61,7 @@ void Recorder::record(const vpImage<unsigned char> &image, const std::string &li
     throw vpException(vpException::ioError, m_problem);
   }
   m_waiting.emplace_back(m_name(m_number), image);
-  m_lines += line + "\n";
+  m_lines.push_back(line);
   ++m_number;
   m_changed.notify_all();
 }
@@ -87,6 +87,7 @@ void Recorder::write()
     lock.lock();
     m_waiting.pop_front();
     m_problem = problem;
+    m_written += problem.empty() ? 1 : 0;
     m_changed.notify_all();
   }
 }
@@ -102,11 +103,16 @@ void Recorder::finish()
     m_changed.notify_all();
   }
   m_thread.join();
+  // The lines of the images that are there, also if the disk was full then.
+  std::string lines;
+  for (std::size_t k = 0; k < m_written; ++k) {
+    lines += m_lines[k] + "\n";
+  }
+  if (!lines.empty()) {
+    writeWholeText(m_poses, lines);
+  }
   if (!m_problem.empty()) {
     throw vpException(vpException::ioError, m_problem);
-  }
-  if (m_number > 0) {
-    writeWholeText(m_poses, m_lines);
   }
 }
 } // namespace tutorial

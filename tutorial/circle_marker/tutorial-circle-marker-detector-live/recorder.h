@@ -24,6 +24,7 @@
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <visp3/core/vpImage.h>
 
@@ -67,13 +68,15 @@ private:
 
   NumberedName m_name;  //!< Names of the images.
   std::string m_poses;  //!< Path of poses.jsonl.
-  std::string m_lines;  //!< Its content so far.
   long m_number = 0;    //!< Of the next image.
   std::thread m_thread; //!< Writes.
+
+  std::vector<std::string> m_lines; //!< Of the images, those that wait as well.
 
   std::mutex m_mutex; //!< Guards all below.
   std::condition_variable m_changed;
   std::deque<std::pair<std::string, vpImage<unsigned char>>> m_waiting; //!< To be written.
+  std::size_t m_written = 0;                                            //!< Images.
   std::string m_problem;                                                //!< The first error.
   bool m_isEnd = false;                                                 //!< Whether nothing more comes.
 };

@@ -37,7 +37,7 @@ struct FrameFeed::State
   std::mutex mutex; //!< Guards all below.
   std::condition_variable changed;
   std::optional<Frame> frame; //!< The next image for the program.
-  std::string damage;         //!< The last damage that the program has not heard of.
+  std::string damage;         //!< The damage that the program has not heard of.
   std::string failure;        //!< Why the source has failed.
   bool hasFailed = false;     //!< Whether it has.
   bool isEnd = false;         //!< Whether the thread has ended.
@@ -78,7 +78,7 @@ void FrameFeed::State::run()
         const std::lock_guard<std::mutex> lock(mutex);
         lastSign = Clock::now();
         ++counts.damaged;
-        damage = e.what();
+        damage += (damage.empty() ? "" : "; ") + std::string(e.what());
         goOn = !isStopped;
         changed.notify_all();
       }

@@ -89,10 +89,12 @@ std::vector<Entry> numberedFiles(const std::string &input, const NumberedName &p
     }
     return entries;
   }
-  const fs::path folder = fs::path(pattern(0)).parent_path();
+  // As it is written, with two slashes perhaps: names are compared with the pattern.
+  const std::string name = pattern(0);
+  const std::string folder = name.substr(0, name.find_last_of('/') + 1);
   std::error_code error;
-  for (const fs::directory_entry &file : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
-    const std::string path = (folder / file.path().filename()).string();
+  for (const fs::directory_entry &file : fs::directory_iterator(folder.empty() ? "./" : folder, error)) {
+    const std::string path = folder + file.path().filename().string();
     const std::optional<long> number = pattern.numberOf(path);
     if (number && (!first || *number >= *first) && (!last || *number <= *last)) {
       entries.emplace_back(path, *number);

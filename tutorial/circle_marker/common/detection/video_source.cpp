@@ -19,17 +19,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <limits>
 
 #include <visp3/core/vpException.h>
 
 #ifdef CIRCLE_MARKER_HAVE_OPENCV_VIDEOIO
 #include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
 #include <opencv2/videoio.hpp>
 #include <visp3/core/vpImageConvert.h>
-
-#include "../camera_file.h"
 #endif
 #include "image_file.h"
 
@@ -52,7 +50,9 @@ class VideoSource : public ImageSource
 public:
   VideoSource(const std::string &path, long first, long last) : m_path(path), m_first(first), m_last(last)
   {
-    const SilentStream silentErrors(std::cerr);
+    // What is wrong is told by this class. Once, and not by redirecting streams: frames may be read in a thread of
+    // their own, while another one writes to these.
+    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
     if (!m_reader.open(path)) {
       throw vpException(vpException::ioError,
                         "\"%s\" cannot be read as a video; is it whole, and its codec known to OpenCV?", path.c_str());
@@ -64,7 +64,6 @@ public:
   {
     // Frames are decoded in order: videos do not seek exactly.
     while (m_next <= m_last) {
-      const SilentStream silentErrors(std::cerr), silentOutput(std::cout); // the reader warns there
       cv::Mat frame;
       const bool isDecoded = m_reader.read(frame) && !frame.empty();
       // After a frame that cannot be decoded there may be others, but not after a second one.
