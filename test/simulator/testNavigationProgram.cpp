@@ -67,7 +67,7 @@ TEST(NavigationProgram, MarkersOfAllFamiliesAreSeen)
   const fs::path folder = test::emptyFolder();
   std::ofstream(folder / "room.json")
       << R"({"markers": [{"family": "bch31r", "id": 3, "size": 0.18, "name": "window", "payload": {"task": "stop"},
-             "pose": [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]}]})";
+             "pose": [0, 0, 5, 0, 0, 0]}]})";
   const test::Outcome outcome = test::run(NAVIGATION_PROGRAM, {"--output", "out", "--database", "room.json"}, folder);
   EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
