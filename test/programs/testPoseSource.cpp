@@ -90,7 +90,7 @@ TEST(PoseSource, TakesTheMarkerThatIsAskedFor)
 }
 
 // A ring of 12 pixels, whose two poses one image hardly tells apart, after one that is near and clear.
-TEST(PoseSource, OfTwoPosesThatLookAlikeItTakesThatNearerToTheOneBefore)
+TEST(PoseSource, OfTwoPosesThatLookAlikeItTakesThatWhichWasClearBefore)
 {
   constexpr double tilt = 0.3; // radians
   const double ratio = vpCircleMarkerFamily(vpCircleMarkerFamily::RING).getLayout().ringInner;
@@ -116,6 +116,42 @@ TEST(PoseSource, OfTwoPosesThatLookAlikeItTakesThatNearerToTheOneBefore)
   }
   EXPECT_GE(seen, 36);
   EXPECT_GE(mirrored, 3);
+}
+
+// A first image that was wrong is outvoted by those after it, though none of them is certain.
+TEST(PoseSource, AWrongBeginningDoesNotLast)
+{
+  constexpr double tilt = 0.3; // radians
+  const double ratio = vpCircleMarkerFamily(vpCircleMarkerFamily::RING).getLayout().ringInner;
+  const DetectorSettings settings = settingsOf(vpCircleMarkerFamily::RING);
+  const auto look = [&](PoseSource &source, std::uint64_t seed) {
+    return source.look(pictureOf({vpSimulatedMarker::ring(size, ratio).setPose(poseAt(0., 8., tilt))}, seed)).best();
+  };
+  int begun = 0; // wrongly
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    PoseSource source(objectWith(anyId), cam, settings);
+    const auto first = look(source, seed);
+    if (!first || (*first)[0][2] > 0.) {
+      continue;
+    }
+    ++begun;
+    std::optional<vpHomogeneousMatrix> last;
+    for (std::uint64_t more = 1; more <= 20; ++more) {
+      last = look(source, 100 * seed + more);
+    }
+    EXPECT_TRUE(last && (*last)[0][2] > 0.) << "image " << seed;
+  }
+  EXPECT_GE(begun, 3);
+}
+
+TEST(PoseSource, MayBePointedAtAnother)
+{
+  PoseSource source(objectWith(anyId), cam, settingsOf(vpCircleMarkerFamily::GOLAY23));
+  ASSERT_TRUE(source.look(twoMarkers(0.6, 0.8)).best());
+  source.forget();
+  const auto other = source.look(twoMarkers(0.8, 0.5)).best();
+  ASSERT_TRUE(other);
+  EXPECT_NEAR((*other)[0][3], 0.1, 0.001);
 }
 
 #if defined(VISP_HAVE_APRILTAG)

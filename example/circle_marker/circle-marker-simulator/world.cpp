@@ -58,7 +58,7 @@ void cover(vpMarkerSceneSimulator &scene, int tenths)
 /*! Root of the mean square of what was measured. */
 double inSigmas(const vpCircleMarkerDetection &detection, const vpHomogeneousMatrix &truth)
 {
-  return std::sqrt(std::max(0., common::squaredMahalanobis(truth, detection)) / detection.dof);
+  return std::sqrt(std::max(common::squaredMahalanobis(truth, detection), 0.) / detection.dof);
 }
 
 Comparison compare(const vpMarkerTruth &truth, const std::vector<vpCircleMarkerDetection> &detections)

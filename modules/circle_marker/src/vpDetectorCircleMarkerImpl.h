@@ -230,7 +230,7 @@ private:
   Trials m_coveredRings;                              //!< And of the plain rings.
   std::vector<Impl> m_inverse;       //!< What looks at the negative, if markers white on black are sought.
   vpImage<unsigned char> m_negative; //!< The negative.
-  bool m_isInverseFirst = false;     //!< Whether that was looked at first: in every other image with both polarities.
+  bool m_isInverseFirst = true;      //!< Whether that was looked at first: in every other image with both polarities.
 };
 
 END_VISP_NAMESPACE

@@ -139,7 +139,7 @@ void vpDetectorCircleMarker::Impl::addInverse(Impl &inverse)
 /*!
   Sets whether markers are looked for that are black on white, white on black, or both. Both take twice the time of one;
   an inverse marker needs a black quiet zone as others need a white one. If that is more than the time of setTimeout(),
-  they take turns: in every other image white ones are looked for first.
+  they take turns: in every second image white ones are looked for first.
 
   \param polarity : Which markers are looked for; vpCircleMarkerPolarity::BLACK_ON_WHITE by default.
 */

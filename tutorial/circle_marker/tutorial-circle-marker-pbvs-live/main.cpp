@@ -55,6 +55,7 @@ struct Vision
   std::optional<FrameFeed> feed; //!< A real camera's images.
   std::unique_ptr<ServoEyes> eyes;
   ServoCamera camera;
+  bool isLive = false; //!< Whether the robot goes on while an image is worked on.
 };
 
 /*! The marker with its quiet zone, in the middle of the object. */
@@ -94,7 +95,8 @@ void openRealCamera(const Order &order, vpRobot &robot, Vision &vision)
   RegionCamera parameters(order.cameraFile, order.cameraName);
   std::unique_ptr<FrameSource> source = openFrameSource(*order.camera);
   const ImageRegion region = source->region();
-  const auto use = source->isLive() ? FrameFeed::Use::Newest : FrameFeed::Use::All;
+  vision.isLive = source->isLive();
+  const auto use = vision.isLive ? FrameFeed::Use::Newest : FrameFeed::Use::All;
   vision.feed.emplace(std::move(source), use);
   vision.eyes = std::make_unique<FeedEyes>(*vision.feed, order.camera->name, order.timeout, isInterrupted,
                                            [](const std::string &message) { program.complain(message); });
@@ -114,10 +116,10 @@ void openRealCamera(const Order &order, vpRobot &robot, Vision &vision)
   }
 }
 
-ServoGoal goalOf(const Order &order, const ServoCamera &camera)
+ServoGoal goalOf(const Order &order, const Vision &vision)
 {
   ServoGoal goal;
-  goal.camera = camera;
+  goal.camera = vision.camera;
   goal.object = objectOf(order);
   goal.cdMo = desiredPose(order.distance);
   goal.detector = order.detector;
@@ -125,7 +127,7 @@ ServoGoal goalOf(const Order &order, const ServoCamera &camera)
   goal.acceptedDistance = order.acceptedDistance;
   goal.acceptedAngle = order.acceptedAngle;
   goal.mostImages = order.mostImages;
-  if (order.camera) {                  // the robot goes on with its last velocity meanwhile
+  if (vision.isLive) {
     constexpr int longestSearch = 200; // milliseconds
     goal.detector.timeout = longestSearch;
   }
@@ -201,7 +203,7 @@ bool carryOut(const Order &order)
     openSimulatedCamera(order, *robot, vision);
   }
   warnOfSpin(order);
-  const ServoGoal goal = goalOf(order, vision.camera);
+  const ServoGoal goal = goalOf(order, vision);
   const ServoRecord record = run(order, goal, *vision.eyes, *robot);
   print(record);
   writeReport(order.folder, goal, record);

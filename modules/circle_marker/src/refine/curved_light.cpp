@@ -23,10 +23,10 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// chi^2 that is worth a fit. What the light and ink say of it is no more than all parameters together would, and some
-// three quarters of that: so chance says as much once in some hundred markers, and what says less is hardly worth
-// leastGain. Of normal noise the biweight's pulls have this share of the variance that they are compared with
-// (pullOfNoise).
+// chi^2 that is worth a fit. What the light and ink say of it is no more than all parameters together would, and half
+// to three quarters of that (testCurvedLight records it): so chance says as much once in some hundred markers or less,
+// and what says less is hardly worth leastGain. Of normal noise the biweight's pulls have this share of the variance
+// that they are compared with (pullOfNoise).
 constexpr double clearOfChance = 9.;
 constexpr double shareOfPulls = 0.66;
 // By so much, ln, the light that bends has to explain all pixels better: chi^2 of 12.

@@ -43,7 +43,7 @@ struct FittedPose
   double coherence = 1.;   //!< By how much parts of the print pull the pose apart more than noise does.
   //! Variance of the residuals at edges over that of all; the coherence is by how much more the parts pull than that.
   double edgeNoise = 1.;
-  //! What light that bends over the marker would take off the squares, at least, grey levels^2:
+  //! What light that bends over the marker would take off the squares, or more, grey levels^2:
   //! Likelihood::bendOfResiduals().
   double bendOfLight = 0.;
   double decrement = 0.; //!< What another step would take off the squares, grey levels^2.

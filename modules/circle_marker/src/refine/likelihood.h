@@ -143,7 +143,7 @@ public:
 
   /*!
     What light that bends over the marker would take off the squares of the residuals kept, grey levels^2, if light and
-    ink alone followed it: no more than it really would, where pose and blur follow as well.
+    ink alone followed it: to first order no more than it really would, where pose and blur follow as well.
     \param photometry : The light by which they are left.
     \param noise : By which the pixels are weighed, grey levels.
   */

@@ -117,14 +117,14 @@ double Likelihood::bendOfResiduals(const Photometry &photometry, double noise) c
   std::size_t k = 0;
   forEachBlock(m_memory.blocks, [&](const PixelBlock &block, PixelSight) {
     const Lanes &residual = m_memory.residuals[k++];
-    const Lanes weight = holdsPixel(block) * isPositive(brightest - block.grey) *
+    const Lanes weight = holdsPixel(block) * isPositive(brightest - (block.grey - residual)) *
                          biweight(residual, block.variance, static_cast<float>(noise)).weight;
     const Lanes model = block.grey - residual;
     const Lanes &u = block.offsetU;
     const Lanes &v = block.offsetV;
     const Lanes byU = model * u;
     const Lanes byV = model * v;
-    const Lanes ink = static_cast<float>(photometry.white) * lightOf(block, photometry) - model;
+    const Lanes ink = whiteOf(block, photometry) - model;
     equations.add({model, byU, byV, ink, byU * u, byU * v, byV * v}, residual, weight);
   });
   const Eigen::Matrix<double, 7, 7> matrix = equations.matrix();

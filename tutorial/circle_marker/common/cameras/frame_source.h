@@ -35,7 +35,9 @@ struct Frame
   std::string name;           //!< The source's name, "#" and the number; the path of an image from a file.
   long number = 0;            //!< Counted by the source from 0, damaged images as well.
   std::optional<double> time; //!< When it was taken, Unix time, seconds; nothing if it is not known.
-  unsigned int missed = 0;    //!< Images that the camera has taken before this one, and that never arrived.
+  //! When it came here.
+  std::chrono::steady_clock::time_point arrival = std::chrono::steady_clock::now();
+  unsigned int missed = 0; //!< Images that the camera has taken before this one, and that never arrived.
 };
 
 /*! The camera cannot be used, or no longer; the text says what to do. */

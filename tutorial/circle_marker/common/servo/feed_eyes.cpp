@@ -44,7 +44,7 @@ std::optional<ServoView> FeedEyes::look(const std::function<void()> &stop)
       m_onDamage(delivery.damage);
     }
     if (delivery.frame) {
-      m_arrival = Clock::now();
+      m_arrival = delivery.frame->arrival;
       ServoView view;
       view.image = std::move(delivery.frame->image);
       view.time = delivery.frame->time.value_or(unixSeconds()) - m_start;

@@ -17,14 +17,16 @@
 
 #include "pose_source.h"
 
+#include <algorithm>
 #include <vector>
 
 #include <visp3/core/vpThetaUVector.h>
 
 namespace tutorial {
 namespace {
-// Natural logarithm of the odds below which the image before tells better which of a circle's two poses is right.
-constexpr double doubtfulOdds = 5.;
+// What single images say of a circle's two poses adds up, but no further than this, natural logarithm of the odds: a
+// later image that says as much is believed, whatever was thought before.
+constexpr double mostOdds = 20.;
 
 double distanceBetween(const vpHomogeneousMatrix &p, const vpHomogeneousMatrix &q)
 {
@@ -61,27 +63,31 @@ ObjectSighting PoseSource::look(const vpImage<unsigned char> &I)
   return sighting;
 }
 
+void PoseSource::forget()
+{
+  m_own.reset();
+  m_last.reset();
+  m_odds = 0.;
+}
+
 std::optional<vpHomogeneousMatrix> PoseSource::lookForCircle(const vpImage<unsigned char> &I)
 {
   std::vector<vpHomogeneousMatrix> cMm;
   m_circleDetector.detect(I, m_object.circle->size, m_cam, cMm);
-  std::optional<vpHomogeneousMatrix> nearest;
   const vpCircleMarkerDetection *seen = nullptr;
+  const auto wayTo = [this](const vpCircleMarkerDetection &detection) {
+    return distanceBetween(*m_last, detection.cMo * m_object.circle->oMm.inverse());
+  };
   for (const vpCircleMarkerDetection &detection : m_circleDetector.getDetections()) {
-    if (!isSought(detection)) {
-      continue;
-    }
-    const vpHomogeneousMatrix cMo = poseFrom(detection);
-    const bool isNearer = nearest && m_last && distanceBetween(*m_last, cMo) < distanceBetween(*m_last, *nearest);
-    if (!nearest || isNearer) { // at first, the largest
-      nearest = cMo;
+    if (isSought(detection) && (seen == nullptr || (m_last && wayTo(detection) < wayTo(*seen)))) {
       seen = &detection;
     }
   }
-  if (seen != nullptr) {
-    m_own = {seen->family.getName(), seen->id};
+  if (seen == nullptr) {
+    return std::nullopt;
   }
-  return nearest;
+  m_own = {seen->family.getName(), seen->id};
+  return poseFrom(*seen);
 }
 
 bool PoseSource::isSought(const vpCircleMarkerDetection &detection) const
@@ -92,15 +98,24 @@ bool PoseSource::isSought(const vpCircleMarkerDetection &detection) const
   return m_object.circle->id == anyId || detection.id == m_object.circle->id;
 }
 
-vpHomogeneousMatrix PoseSource::poseFrom(const vpCircleMarkerDetection &detection) const
+vpHomogeneousMatrix PoseSource::poseFrom(const vpCircleMarkerDetection &detection)
 {
   const vpHomogeneousMatrix mMo = m_object.circle->oMm.inverse();
   const vpHomogeneousMatrix cMo = detection.cMo * mMo;
-  if (!detection.hasSecondPose || detection.logOdds >= doubtfulOdds || !m_last) {
-    return cMo;
+  const double odds = detection.hasSecondPose ? std::min(detection.logOdds, mostOdds) : mostOdds;
+  if (detection.hasSecondPose && m_last) {
+    const vpHomogeneousMatrix other = detection.cMo2 * mMo;
+    if (angleBetween(*m_last, other) < angleBetween(*m_last, cMo)) { // the one before leans as the less likely one
+      m_odds -= odds;
+      if (m_odds > 0.) {
+        return other;
+      }
+      m_odds = -m_odds;
+      return cMo;
+    }
   }
-  const vpHomogeneousMatrix other = detection.cMo2 * mMo;
-  return angleBetween(*m_last, other) < angleBetween(*m_last, cMo) ? other : cMo;
+  m_odds = std::min(m_odds + odds, mostOdds);
+  return cMo;
 }
 //! [Pose source]
 } // namespace tutorial

@@ -46,8 +46,8 @@ struct ObjectSighting
 };
 
 /*!
-  Sees the object's markers. A servo goes on with the marker that it has begun with, and where one image hardly tells
-  the two poses of a circle apart, with that which is nearer to the one before.
+  Sees the object's markers. A servo goes on with the marker that it has begun with; and which of a circle's two poses
+  is right it is told by all images since, not by one.
 */
 class PoseSource
 {
@@ -66,10 +66,13 @@ public:
   */
   ObjectSighting look(const vpImage<unsigned char> &I);
 
+  /*! Begins anew: while a servo is held the camera may be pointed at anything. */
+  void forget();
+
 private:
   std::optional<vpHomogeneousMatrix> lookForCircle(const vpImage<unsigned char> &I);
   bool isSought(const vpCircleMarkerDetection &detection) const;
-  vpHomogeneousMatrix poseFrom(const vpCircleMarkerDetection &detection) const;
+  vpHomogeneousMatrix poseFrom(const vpCircleMarkerDetection &detection);
 
   ServoObject m_object;                             //!< What is looked for.
   vpCameraParameters m_cam;                         //!< The camera.
@@ -77,6 +80,7 @@ private:
   std::optional<TagSource> m_tag;                   //!< Finds the AprilTag, if there is one.
   std::optional<std::pair<std::string, int>> m_own; //!< Family and id of the circular marker that it has begun with.
   std::optional<vpHomogeneousMatrix> m_last;        //!< The object's pose when it was last seen.
+  double m_odds = 0.;                               //!< ln(odds) of that against the circle's other one, by all images.
 };
 } // namespace tutorial
 

@@ -81,7 +81,9 @@ public:
       return "";
     }
     if (m_blind == mostBlindImages) {
-      return "no marker was seen in " + std::to_string(mostBlindImages) + " images";
+      const std::string inTime =
+          m_goal.detector.timeout > 0 ? " within " + std::to_string(m_goal.detector.timeout) + " ms each" : "";
+      return "no marker was seen in " + std::to_string(mostBlindImages) + " images" + inTime;
     }
     if (step.iteration + 1 == m_goal.mostImages) {
       return "the measured error was not small in " + std::to_string(m_goal.mostImages) + " images";
@@ -206,6 +208,7 @@ ServoRecord runServo(ServoEyes &eyes, vpRobot &robot, const ServoGoal &goal, con
     const ServoWish wish = observer ? observer(view->image, step) : ServoWish::Go;
     if (wish == ServoWish::Hold) {
       mover.stop();
+      source.forget();
       continue;
     }
     keeper.consider(step, view->image, progress.at(step));

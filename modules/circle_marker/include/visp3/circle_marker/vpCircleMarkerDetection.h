@@ -54,7 +54,8 @@ struct vpImageEllipse
   The frame of the poses follows vpDetectorCircleMarker::setZAlignedWithCameraAxis(). A covariance is that of
   \f$ \delta = (\upsilon, \omega) \f$ in the camera frame, metres and radians, with
   \f$ ^cM_o^{true} = \exp(\delta) \, ^cM_o \f$ (vpExponentialMap), and does not depend on that choice.
-  It is about the camera's centre: that of the marker's own place is getCovarianceOfCenter().
+  It is about the camera's centre: that of the place of the marker's centre
+  (not of its image \e center) is getCovarianceOfCenter().
   Each pose has that of its own fit: of two, one is true, and the covariance does not tell of the other. A second pose
   that trails far behind (log-odds of some 30) was left as a fit of few pixels had it, with the covariance of these.
 */
