@@ -129,6 +129,18 @@ TEST(BoundProgram, AnswersAreConsistentWithTheTable)
   EXPECT_LT(reserved["reaches"][0]["farthest_m"].get<double>(), 0.95 * farthest);
 }
 
+// Half the width of such an image would be a sheet whose near side is behind the camera.
+TEST(BoundProgram, HasALeastSizeBeforeAWideLensToo)
+{
+  const json plan = planOf({"--focal", "300", "--angle", "70", "--accuracy-z", "5", "--min-distance", "3",
+                            "--max-distance", "3", "--rows", "1"},
+                           emptyFolder());
+  ASSERT_FALSE(plan.is_discarded());
+  const double leastSize = plan["reaches"][0]["least_size_m"].get<double>();
+  EXPECT_GT(leastSize, 0.05);
+  EXPECT_LT(leastSize, 1.);
+}
+
 TEST(BoundProgram, SaysWhenNothingDoes)
 {
   const Outcome outcome =

@@ -58,13 +58,12 @@ Outcome run(const std::string &program, const std::vector<std::string> &argument
   return Outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(out), contentOf(err)};
 }
 
-std::filesystem::path emptyFolder()
+std::filesystem::path emptyFolderIn(const std::filesystem::path &folder)
 {
-  const std::filesystem::path folder =
-      std::filesystem::path(CIRCLE_MARKER_TEST_DIR) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
+  const std::filesystem::path empty = folder / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::filesystem::remove_all(empty);
+  std::filesystem::create_directories(empty);
+  return empty;
 }
 
 std::vector<std::string> filesIn(const std::filesystem::path &folder)

@@ -33,8 +33,15 @@ struct Outcome
 /*! Runs a program with arguments in a folder. */
 Outcome run(const std::string &program, const std::vector<std::string> &arguments, const std::filesystem::path &folder);
 
-/*! An empty folder for the running test. */
-std::filesystem::path emptyFolder();
+/*! An empty folder for the running test, in a folder of the program of tests. */
+std::filesystem::path emptyFolderIn(const std::filesystem::path &folder);
+
+#ifdef CIRCLE_MARKER_TEST_DIR // each program of tests has its own; this file's are shared
+inline std::filesystem::path emptyFolder()
+{
+  return emptyFolderIn(CIRCLE_MARKER_TEST_DIR);
+}
+#endif
 
 /*! The names of the files and folders in a folder, ascending. */
 std::vector<std::string> filesIn(const std::filesystem::path &folder);

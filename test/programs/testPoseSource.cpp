@@ -81,6 +81,16 @@ TEST(PoseSource, KeepsToTheMarkerThatItHasBegunWith)
   EXPECT_FALSE(hidden.best());
 }
 
+TEST(PoseSource, BeginsWithTheLargest)
+{
+  for (const double right : {0.4, 1.2}) {
+    PoseSource source(objectWith(anyId), cam, settingsOf(vpCircleMarkerFamily::GOLAY23));
+    const auto first = source.look(twoMarkers(0.7, right)).best();
+    ASSERT_TRUE(first);
+    EXPECT_NEAR((*first)[0][3], right < 0.7 ? 0.1 : -0.1, 0.001) << right;
+  }
+}
+
 TEST(PoseSource, TakesTheMarkerThatIsAskedFor)
 {
   PoseSource source(objectWith(9), cam, settingsOf(vpCircleMarkerFamily::GOLAY23));

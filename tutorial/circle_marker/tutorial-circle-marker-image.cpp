@@ -103,7 +103,7 @@ int main(int argc, const char **argv)
     std::vector<vpHomogeneousMatrix> cMo;
     detector.detect(I, size, cam, cMo);
     for (size_t i = 0; i < cMo.size(); i++) {
-      const vpMatrix covariance = detector.getDetections()[i].getCovarianceOfCenter(); // of (t, theta u), m and rad
+      const vpMatrix covariance = detector.getDetections()[i].covarianceAtMarker; // of (t, theta u), m and rad
       std::cout << detector.getMessage(i) << " at " << cMo[i].getTranslationVector().t() << " m, z to within "
                 << 1000. * std::sqrt(covariance[2][2]) << " mm\n";
     }

@@ -151,8 +151,11 @@ Reach reachOf(const Settings &settings, double angle)
     reach.pixels = rowAt(settings.size, *reach.distance).diameter;
   }
   const double distance = settings.sizeFor.value_or(settings.maxDistance);
-  // A marker as wide as half the image: more is hard to keep in sight.
-  const double largest = distance * 0.5 * settings.width / focal(settings);
+  // A marker as wide as half the image: more is hard to keep in sight. Before a wide lens one side of such a sheet may
+  // be behind the camera; half of the distance is left to it.
+  const double sheet = markerOf(settings, 1.).getSheetHeight();
+  const double largest = distance * std::min(0.5 * settings.width / focal(settings),
+                                             1. / std::max(sheet * std::sin(vpMath::rad(angle)), 1e-9));
   const double smallest = distance * leastPixels / focal(settings);
   reach.size = endOf(largest, smallest, [&](double size) { return isEnough(rowAt(size, distance), settings); });
   return reach;

@@ -49,7 +49,7 @@ double squaredMahalanobis(const vpHomogeneousMatrix &truth, const vpCircleMarker
     error[3 + i] = turn[i];
   }
   // In standard deviations, in which the numbers are well conditioned: lateral ones are a ten-thousandth of the turns.
-  vpMatrix covariance = detection.getCovarianceOfCenter();
+  vpMatrix covariance = detection.covarianceAtMarker;
   for (unsigned int i = 0; i < 6; ++i) {
     const double sigma = std::sqrt(covariance[i][i]);
     error[i] /= sigma;

@@ -21,6 +21,8 @@
 #include <array>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "support/bilinear.h"
 #include "support/median.h"
 #include "support/normal_distribution.h"

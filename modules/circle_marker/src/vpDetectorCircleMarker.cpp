@@ -243,8 +243,8 @@ bool vpDetectorCircleMarker::detect(const vpImage<unsigned char> &I)
   \exception vpException::fatalError : If the system does not give the threads of setNbThreads().
 
   After the time of setTimeout() (none by default) a search ends with the markers found by then, and returns whether
-  there are any; hasTimedOut() tells that it did, and with setDebug() a rejected candidate has TIMEOUT for a reason if
-  anything was left.
+  there are any. That it did hasTimedOut() tells; with setDebug() candidates for which no time was left have the reason
+  TIMEOUT, where it came so far that there were candidates.
 
   After an exception for the image or the size the detector has the markers of the image before; after any other, want
   of memory for instance, it has none, and markers are not followed any more.

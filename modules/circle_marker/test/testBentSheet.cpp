@@ -18,6 +18,8 @@
 #include "testMeasureTools.h"
 #include "testScriptedFitter.h"
 
+#include <Eigen/Geometry>
+
 #include "refine/bent_sheet.h"
 #include "refine/fit_starts.h"
 #include "refine/measure.h"

@@ -17,6 +17,8 @@
 
 #include "testRoomTools.h"
 
+#include <Eigen/Geometry>
+
 #include "decode/blurred_print.h"
 
 using namespace circle_marker;

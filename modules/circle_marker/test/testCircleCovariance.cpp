@@ -17,6 +17,8 @@
 
 #include "testPoseCircleTools.h"
 
+#include <Eigen/Geometry>
+
 #include "pose/circle_covariance.h"
 
 using namespace circle_marker;

@@ -19,6 +19,8 @@
 
 #include <limits>
 
+#include <Eigen/LU>
+
 #include "pose/circle_from_conic.h"
 
 using namespace circle_marker;

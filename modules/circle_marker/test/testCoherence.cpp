@@ -18,6 +18,7 @@
 #include "testFitTools.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include "refine/fit_step.h"
 #include "refine/likelihood.h"

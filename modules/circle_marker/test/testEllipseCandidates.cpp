@@ -87,6 +87,34 @@ TEST(EllipseCandidates, DiscsHaveOneEach)
   }
 }
 
+// Dots that are the ends of thin rings are few: of a patch of texture none is put together with the others.
+TEST(EllipseCandidates, DotsOfATextureAreNoEnds)
+{
+  constexpr double pitch = 6.;
+  const auto scene = [](double u, double v) {
+    const bool isInPatch = u > 51. && u < 141. && v > 51. && v < 141.; // of 15 x 15 dots
+    const bool isAlone = std::hypot(u - 300., v - 50.) < 1. || std::hypot(u - 320., v - 50.) < 1.;
+    const bool isDot = std::hypot(std::remainder(u, pitch), std::remainder(v, pitch)) < 1.;
+    return (isInPatch && isDot) || isAlone ? ink : paper;
+  };
+  const vpImage<unsigned char> I = photograph(400, 400, 0.7, scene);
+  SoughtCenters sought;
+  sought.thinRing = vpCircleMarkerFamily(vpCircleMarkerFamily::RING).getLayout().ringInner;
+  Gradient gradient;
+  computeGradient(I, gradient);
+  EdgeChains chains;
+  linkEdgeChains(gradient, 14, chains);
+  Workers workers;
+  EllipseMemory memory;
+  findEllipses(I, gradient, chains, sought, OtherScale(), workers, Deadline(), memory);
+  std::size_t seen = 0;
+  for (const EllipseMemory::Workspace &workspace : memory.workspaces) {
+    seen += workspace.dots.size();
+  }
+  EXPECT_EQ(seen, 15u * 15u + 2u);
+  EXPECT_EQ(memory.dots.size(), 2u);
+}
+
 TEST(EllipseCandidates, AxesOfLargeDiscsToATenthOfAPixel)
 {
   Random random = randomOfTest();

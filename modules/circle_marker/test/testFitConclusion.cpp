@@ -17,6 +17,8 @@
 
 #include <array>
 
+#include <Eigen/LU>
+
 #include "testFitTools.h"
 
 using namespace fit_test;

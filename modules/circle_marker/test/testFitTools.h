@@ -26,7 +26,7 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 
 #include "refine/fit_pixels.h"
 #include "refine/maximum_likelihood.h"
@@ -54,91 +54,32 @@ struct Case
   std::vector<FitPixel> pixels;
 };
 
-inline Case makeCase(const MarkerScene &scene, int id, const vpImage<unsigned char> &I)
-{
-  Case made = {scene, patternOf(scene.family, id), {}};
-  const MarkerPlane plane = scene.plane();
-  selectPixels(I, CameraModel(scene.camera()), scene.frame(), &plane, 1, made.pattern, {BlurParameters(), 0.3, 3000.},
-               made.pixels);
-  return made;
-}
+Case makeCase(const MarkerScene &scene, int id, const vpImage<unsigned char> &I);
 
 //! Grey levels that the model itself gives, not rounded.
-inline void fillFromModel(Case &made, const Light &light, const BlurParameters &blur, double noise, Random &random)
-{
-  std::normal_distribution<double> normal(0., 1.);
-  for (FitPixel &pixel : made.pixels) {
-    const double darkness = darknessAt(pixel.model(), made.scene.plane(), made.pattern, blur).value;
-    const double share = 1. + light.gradient.dot(pixel.offset.cast<double>()) / light.level;
-    const double grey = light.level * std::pow(share * (1. - light.contrast * darkness), light.gamma);
-    pixel.grey = static_cast<float>(grey + (noise > 0. ? noise * normal(random) : 0.));
-    pixel.beyond = {}; // the model's paper has no end
-  }
-}
+void fillFromModel(Case &made, const Light &light, const BlurParameters &blur, double noise, Random &random);
 
 //! A start that is off by some hundredths of the radius.
-inline MarkerPlane disturbed(const MarkerPlane &plane, Random &random, double amount)
-{
-  MarkerPlane start = plane;
-  const auto unit = [&random] { return uniform(random, -1., 1.); };
-  const double depth = plane.center.z();
-  start.center +=
-      amount * Eigen::Vector3d(0.3 * plane.radius * unit(), 0.3 * plane.radius * unit(), 0.3 * depth * unit());
-  start.rotation = turn(amount * 2. * unit(), Eigen::Vector3d(unit(), unit(), 0.01)) * start.rotation;
-  start.spin(amount * unit());
-  return start;
-}
+MarkerPlane disturbed(const MarkerPlane &plane, Random &random, double amount);
 
 //! (t, w) from the fit to the truth, as in image_model.h.
-inline Eigen::Matrix<double, 6, 1> errorOf(const MarkerPlane &fitted, const MarkerPlane &truth)
-{
-  const Eigen::AngleAxisd rotation(Eigen::Matrix3d(truth.rotation * fitted.rotation.transpose()));
-  Eigen::Matrix<double, 6, 1> error;
-  error << truth.center - fitted.center, rotation.angle() * rotation.axis();
-  return error;
-}
+Eigen::Matrix<double, 6, 1> errorOf(const MarkerPlane &fitted, const MarkerPlane &truth);
 
 /*!
   Mahalanobis distance squared; without a spin, in the five directions that are left (translation and the two turns
   across the normal).
 */
-inline double mahalanobis(const FittedPose &fit, const MarkerPlane &truth, bool spinIsKnown)
-{
-  if (spinIsKnown) {
-    const Eigen::Matrix<double, 6, 1> e = errorOf(fit.plane, truth);
-    return e.dot(fit.covariance.inverse() * e);
-  }
-  const Eigen::Vector3d n = fit.plane.rotation.col(2);
-  const Eigen::Vector3d across = n.cross(truth.rotation.col(2));
-  Eigen::Matrix<double, 5, 6> project = Eigen::Matrix<double, 5, 6>::Zero();
-  project.topLeftCorner<3, 3>().setIdentity();
-  project.block<1, 3>(3, 3) = fit.plane.rotation.col(0).transpose();
-  project.block<1, 3>(4, 3) = fit.plane.rotation.col(1).transpose();
-  Eigen::Matrix<double, 6, 1> e;
-  e << truth.center - fit.plane.center, across;
-  const Eigen::Matrix<double, 5, 1> reduced = project * e;
-  return reduced.dot((project * fit.covariance * project.transpose()).inverse() * reduced);
-}
+double mahalanobis(const FittedPose &fit, const MarkerPlane &truth, bool spinIsKnown);
 
 const vpCircleMarkerFamily::vpType families[] = {vpCircleMarkerFamily::GOLAY23, vpCircleMarkerFamily::BCH31,
                                                  vpCircleMarkerFamily::BCH31R, vpCircleMarkerFamily::RING,
                                                  vpCircleMarkerFamily::DISC};
 
-inline FitSettings settingsOf(const vpCircleMarkerFamily &family)
-{
-  FitSettings settings;
-  settings.spinIsKnown = family.isCoded();
-  settings.gammaAndSpread = family.getType() != vpCircleMarkerFamily::DISC;
-  return settings;
-}
+FitSettings settingsOf(const vpCircleMarkerFamily &family);
 
 //! A fit to all pixels that takes light and contrast from the image.
-inline std::optional<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const MarkerPlane &start,
-                                        const MarkerPattern &pattern, const FitSettings &settings)
-{
-  FitMemory memory;
-  return fitPose(pixels, {start, std::nullopt, std::nullopt}, pattern, settings, memory);
-}
+std::optional<FittedPose> fitAll(const std::vector<FitPixel> &pixels, const MarkerPlane &start,
+                                 const MarkerPattern &pattern, const FitSettings &settings);
 
 inline int randomId(Random &random, const vpCircleMarkerFamily &family)
 {

@@ -19,6 +19,7 @@
 
 #include <typeinfo>
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "refine/fitter.h"

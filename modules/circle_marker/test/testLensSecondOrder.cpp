@@ -17,6 +17,8 @@
 
 #include "testRoomTools.h"
 
+#include <Eigen/LU>
+
 #include "refine/lens_second_order.h"
 #include "support/camera_model.h"
 

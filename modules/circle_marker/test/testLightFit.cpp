@@ -17,6 +17,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
+
 #include "refine/light_fit.h"
 #include "testRoomTools.h"
 

@@ -17,6 +17,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "decode/marker_places.h"
 #include "testRoomTools.h"
 

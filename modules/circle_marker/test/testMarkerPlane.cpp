@@ -17,6 +17,8 @@
 
 #include "testRoomTools.h"
 
+#include <Eigen/Geometry>
+
 #include "pose/marker_plane.h"
 
 using namespace circle_marker;

@@ -194,6 +194,23 @@ TEST(MarkerTracks, ALostOneIsLookedForWhereItWasButNotWaitedFor)
   EXPECT_EQ(tracks.predict(width, height).size(), 1u);
 }
 
+// It has moved since it was seen last, by 40 pixels in many images: it does not move as far until the next.
+TEST(MarkerTracks, WhatIsSeenAgainHasNoSpeed)
+{
+  const SeenMarker first = seenAt(150., 150., 40., 1);
+  MarkerTracks tracks;
+  tracks.follow({first, seenAt(300., 300., 15., 2)}, width, height);
+  for (int image = 0; image < 20; ++image) {
+    tracks.follow({first}, width, height);
+  }
+  tracks.follow({first, seenAt(340., 300., 15., 2)}, width, height);
+  EXPECT_FALSE(tracks.haveLost());
+  const std::vector<PixelBox> boxes = tracks.predict(width, height);
+  ASSERT_EQ(boxes.size(), 2u);
+  EXPECT_TRUE(contains(boxes[1], seenAt(342., 300., 15., 2).outline, 4.));
+  EXPECT_NEAR((tracks.getExpected()[1].center - Eigen::Vector2d(340., 300.)).norm(), 0., 1e-9);
+}
+
 TEST(MarkerTracks, WhereAllAreLostTheWholeImageIsLookedAt)
 {
   MarkerTracks tracks;

@@ -17,6 +17,8 @@
 
 #include "testFitTools.h"
 
+#include <Eigen/Geometry>
+
 using namespace circle_marker;
 using namespace fit_test;
 using namespace room_test;

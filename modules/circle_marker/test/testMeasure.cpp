@@ -17,6 +17,8 @@
 
 #include "testMeasureTools.h"
 
+#include <Eigen/Geometry>
+
 #include "refine/measure.h"
 #include "refine/report.h"
 

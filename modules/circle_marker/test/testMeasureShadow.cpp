@@ -17,6 +17,8 @@
 
 #include "testScriptedMeasure.h"
 
+#include <Eigen/Cholesky>
+
 using namespace scripted_test;
 
 namespace {

@@ -17,6 +17,8 @@
 
 #include "decode/photometry.h"
 
+#include <Eigen/LU>
+
 #include <gtest/gtest.h>
 
 #include "testRoomTools.h"

@@ -18,6 +18,7 @@
 #include "testPoseCircleInputs.h"
 #include "testPoseCircleTools.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <visp3/circle_marker/vpPoseCircle.h>

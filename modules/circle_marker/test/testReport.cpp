@@ -18,6 +18,7 @@
 #include "testRoomTools.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include <visp3/core/vpColVector.h>
 #include <visp3/core/vpExponentialMap.h>
@@ -145,6 +146,9 @@ TEST(Report, DepthOfACorrelatedErrorIsOfSecondOrder)
   EXPECT_NEAR(detection.covariance[2][2], 3. * std::pow(0.5 * omega * tau, 2.), 1e-12);
   EXPECT_NEAR(detection.covariance[0][0], std::pow(tau - omega, 2.), 1e-12); // t - w x C
   EXPECT_NEAR(detection.covariance[4][4], omega * omega, 1e-12);
+  EXPECT_EQ(detection.covarianceAtMarker[2][2], 0.); // its depth is exact
+  EXPECT_NEAR(detection.covarianceAtMarker[0][0], tau * tau, 1e-12);
+  EXPECT_NEAR(detection.covarianceAtMarker[0][4], tau * omega, 1e-12);
 }
 
 // The spin of a marker without a code is not seen: whatever both fits have, one is reported.
@@ -179,6 +183,7 @@ TEST(Report, EachPoseHasItsCovariance)
   Measurement measurement;
   measurement.first = farFit(random);
   measurement.second = farFit(random);
+  measurement.second->covariance *= 2.;
   measurement.cost2 = 1.;
   const CameraModel camera(vpCameraParameters(800., 800., 319.5, 239.5));
   vpCircleMarkerDetection detection;
@@ -193,8 +198,11 @@ TEST(Report, EachPoseHasItsCovariance)
   EXPECT_GT(other.covariance[2][2], 0.);
   EXPECT_TRUE(isSame(detection.covariance2, other.covariance));
   EXPECT_FALSE(isSame(detection.covariance2, detection.covariance));
+  EXPECT_TRUE(isSame(detection.covarianceAtMarker2, other.covarianceAtMarker));
+  EXPECT_FALSE(isSame(detection.covarianceAtMarker2, detection.covarianceAtMarker));
   putReport(marker, swapped, camera, 1., true, detection);
   EXPECT_TRUE(isSame(detection.covariance2, vpMatrix(6, 6)));
+  EXPECT_TRUE(isSame(detection.covarianceAtMarker2, vpMatrix(6, 6)));
 }
 
 TEST(Report, MarginIsNeverNegative)

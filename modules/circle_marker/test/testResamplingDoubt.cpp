@@ -17,6 +17,8 @@
 
 #include "testFitTools.h"
 
+#include <Eigen/LU>
+
 #include "refine/resampling_doubt.h"
 
 using namespace circle_marker;

@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {

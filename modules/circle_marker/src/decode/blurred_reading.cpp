@@ -63,6 +63,13 @@ bool isCode(const BlurredFit &fit, double unexplained, const EllipseParameters &
          (isFineSeen || unexplained < mostOfAnySectors * fit.unexplained());
 }
 
+// Whether a fit saw enough of the image to say anything. Markers that are believed to move far see none of it: all of
+// the motion has to lie within their quiet zone.
+bool sawEnough(const BlurredFit &fit)
+{
+  return fit.squares < HUGE_VAL && fit.samples >= leastSamples;
+}
+
 // The other pose of the circle's image.
 MarkerPlane twinOf(const MarkerPlane &plane, const CameraModel &camera)
 {
@@ -172,7 +179,7 @@ std::optional<BlurredReading> readBlurred(const vpImage<unsigned char> &I, const
   }
   fitBoth(marker, camera, true, *best);
   best->poses.disc = best->fit.blur.disc / outline.a;
-  return deadline.hasPassed() ? std::nullopt : best;
+  return deadline.hasPassed() || !sawEnough(best->fit) ? std::nullopt : best;
 }
 
 std::optional<BlurredReading> fitBlurredRing(const vpImage<unsigned char> &I, const CameraModel &camera,
@@ -188,7 +195,7 @@ std::optional<BlurredReading> fitBlurredRing(const vpImage<unsigned char> &I, co
     marker.select(fit.plane, fit.blur, manySamples);
     marker.solve(fit);
     marker.improve(fit, finishedSteps, false);
-    if (fit.squares < HUGE_VAL && fit.unexplained() < best.unexplained) {
+    if (sawEnough(fit) && fit.blur.motion.norm() < longestWay * outline.a && fit.unexplained() < best.unexplained) {
       best.fit = fit;
       best.unexplained = fit.unexplained();
     }
@@ -199,7 +206,8 @@ std::optional<BlurredReading> fitBlurredRing(const vpImage<unsigned char> &I, co
   fitBoth(marker, camera, false, best);
   best.poses.disc = best.fit.blur.disc / outline.a;
   best.code.margin = 1.;
-  return deadline.hasPassed() ? std::nullopt : std::optional<BlurredReading>(best);
+  const bool isRing = sawEnough(best.fit) && best.poses.unexplained <= mostUnexplainedOfRing;
+  return deadline.hasPassed() || !isRing ? std::nullopt : std::optional<BlurredReading>(best);
 }
 } // namespace circle_marker
 END_VISP_NAMESPACE

@@ -21,6 +21,8 @@
 #include <cmath>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "decode/blurred_reading.h"
 #include "decode/code_asymmetry.h"
 #include "decode/covered_reading.h"

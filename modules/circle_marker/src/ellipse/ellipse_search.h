@@ -98,16 +98,17 @@ struct EllipseMemory
     std::vector<Refusal> refusals;
   };
   std::vector<Workspace> workspaces;
-  std::vector<std::uint8_t> left;    //!< One per chain: whether it is still to be cut into arcs, or brightInside.
-  std::vector<Proposal *> proposals; //!< Of all workspaces, in the order of their chains.
-  std::vector<LooseArc *> loose;     //!< Of all workspaces, the longest first.
-  std::vector<const EdgeCap *> caps; //!< Of all workspaces.
-  CapOutlooks outlooks;              //!< Theirs.
-  std::vector<Around> around;        //!< One per cap.
-  std::vector<CapPair> pairs;        //!< Of caps.
-  std::vector<DarkDot> dots;         //!< Of all workspaces.
-  std::vector<DotRing> rings;        //!< Between these.
-  EllipseCandidate ofDots;           //!< The outline of one of them.
+  std::vector<std::uint8_t> left;         //!< One per chain: whether it is still to be cut into arcs, or brightInside.
+  std::vector<Proposal *> proposals;      //!< Of all workspaces, in the order of their chains.
+  std::vector<LooseArc *> loose;          //!< Of all workspaces, the longest first.
+  std::vector<const EdgeCap *> caps;      //!< Of all workspaces.
+  CapOutlooks outlooks;                   //!< Theirs.
+  std::vector<Around> around;             //!< One per cap.
+  std::vector<CapPair> pairs;             //!< Of caps.
+  std::vector<DarkDot> dots;              //!< Of all workspaces.
+  std::vector<std::size_t> dotsInSquares; //!< Their numbers.
+  std::vector<DotRing> rings;             //!< Between these.
+  EllipseCandidate ofDots;                //!< The outline of one of them.
   KnownOutlines known;
   bool keepsRefusals = false; //!< Whether refusals are kept, to be shown.
 };

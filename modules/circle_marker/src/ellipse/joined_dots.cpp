@@ -34,11 +34,30 @@ constexpr double depthOfNoise = 5.;
 // has too many others around. Clutter has one for 6000 pixels.
 constexpr std::size_t fewestDots = 200;
 constexpr std::size_t pixelsForDot = 600;
+// Nor are dots with so many of them in a square of the size of the farthest pairs, twice as many as an image may have
+// on the whole: each has that many others to make a ring with, and a patch of texture would take seconds.
+constexpr std::size_t mostDotsInSquare = 40;
 // Rows that a thread takes at once.
 constexpr int rowsAtOnce = 64;
 constexpr int pointsOfOutline = 48;
 
-// The dots of all rows, from above to below.
+// Leaves out what is in a square with too many others.
+void dropTexture(EllipseMemory &memory, unsigned int width, unsigned int height)
+{
+  constexpr auto side = static_cast<unsigned int>(farthestDots);
+  const std::size_t columns = width / side + 1;
+  const auto squareOf = [&](const DarkDot &dot) {
+    return static_cast<std::size_t>(dot.place.y()) / side * columns + static_cast<std::size_t>(dot.place.x()) / side;
+  };
+  memory.dotsInSquares.assign(columns * (height / side + 1), 0);
+  for (const DarkDot &dot : memory.dots) {
+    ++memory.dotsInSquares[squareOf(dot)];
+  }
+  const auto isOfTexture = [&](const DarkDot &dot) { return memory.dotsInSquares[squareOf(dot)] > mostDotsInSquare; };
+  memory.dots.erase(std::remove_if(memory.dots.begin(), memory.dots.end(), isOfTexture), memory.dots.end());
+}
+
+// The dots of all rows, from above to below; none if there are too many, or there was no time for all.
 void findAll(const EllipseSearch &search, Workers &workers)
 {
   for (EllipseMemory::Workspace &workspace : search.memory.workspaces) {
@@ -55,9 +74,17 @@ void findAll(const EllipseSearch &search, Workers &workers)
   });
   std::vector<DarkDot> &dots = search.memory.dots;
   dots.clear();
+  std::size_t count = 0;
+  for (const EllipseMemory::Workspace &workspace : search.memory.workspaces) {
+    count += workspace.dots.size();
+  }
+  if (count > fewestDots + search.I.getSize() / pixelsForDot || search.deadline.hasPassed()) {
+    return;
+  }
   for (const EllipseMemory::Workspace &workspace : search.memory.workspaces) {
     dots.insert(dots.end(), workspace.dots.begin(), workspace.dots.end());
   }
+  dropTexture(search.memory, search.I.getWidth(), search.I.getHeight());
   std::sort(dots.begin(), dots.end(), [](const DarkDot &p, const DarkDot &q) {
     return p.place.y() != q.place.y() ? p.place.y() < q.place.y() : p.place.x() < q.place.x();
   });
@@ -104,9 +131,6 @@ void joinDots(const EllipseSearch &search, Workers &workers)
     return;
   }
   findAll(search, workers);
-  if (search.memory.dots.size() > fewestDots + search.I.getSize() / pixelsForDot) {
-    return;
-  }
   findRings(search, workers);
   EllipseCandidate &candidate = search.memory.ofDots;
   for (const EllipseMemory::DotRing &ring : search.memory.rings) {

@@ -52,7 +52,9 @@ Eigen::Matrix<double, 6, 6> circleCovariance(const CirclePosition &circle, const
   Eigen::Matrix<double, 5, 5> information = Eigen::Matrix<double, 5, 5>::Zero();
   for (const Eigen::Vector2d &point : points) {
     const Eigen::Matrix<double, 1, 5> J = circleDistanceJacobian(circle, point) * B.leftCols<5>();
-    information += J.transpose() * J / (sigma * sigma);
+    if (J.allFinite()) { // the image of the centre itself is as far from all of the circle
+      information += J.transpose() * J / (sigma * sigma);
+    }
   }
   const double uniformTiltVariance = M_PI * M_PI / 12.; // Of an interval of length pi.
   information(3, 3) += 1. / uniformTiltVariance;

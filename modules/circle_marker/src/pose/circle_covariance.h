@@ -49,8 +49,9 @@ Eigen::Matrix<double, 1, 6> circleDistanceJacobian(const CirclePosition &circle,
   information \f$ \sum {\bf J}^T {\bf J} / \sigma^2 \f$ in the five degrees of freedom of a circle (translation of its
   centre, tilt about its centre); the spin about the normal is not seen and has the variance of a uniform angle,
   pi^2/3. The tilt has the information of a uniform angle in ]-pi/2, pi/2[ besides, so that the covariance stays finite
-  where the circle is seen along its axis and the tilt, to first order, does not move its image. There the covariance
-  states more uncertainty than there is: it is a linearisation.
+  where the circle is seen along its axis and the tilt, to first order, does not move its image. There the covariance is
+  a linearisation: of the tilt it states more uncertainty than there is, and of upsilon it leaves out -omega x dt / 2 of
+  the logarithm, which from afar is as large as the error across the line of sight.
 
   \param circle : The circle.
   \param points : Its contour, normalised coordinates.

@@ -18,10 +18,7 @@
 #ifndef VP_CIRCLE_MARKER_MARKER_PLANE_H
 #define VP_CIRCLE_MARKER_MARKER_PLANE_H
 
-#include <cmath>
-
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
 #include "pose/circle_from_conic.h"
 
@@ -39,34 +36,19 @@ struct SheetBend
   bool isAny() const { return bow != 0. || saddle.x() != 0. || saddle.y() != 0.; }
 
   /*! Height of a point of the print. */
-  double height(const Eigen::Vector2d &q) const { return 0.5 * (q.dot(slope(q)) - bow); }
+  double height(const Eigen::Vector2d &q) const;
 
   /*! Its derivative. */
-  Eigen::Vector2d slope(const Eigen::Vector2d &q) const
-  {
-    return bow * q + Eigen::Vector2d(saddle.x() * q.x() + saddle.y() * q.y(), saddle.y() * q.x() - saddle.x() * q.y());
-  }
+  Eigen::Vector2d slope(const Eigen::Vector2d &q) const;
 
   /*! By how much it is drawn together with the print, along the plane. */
-  Eigen::Vector2d shift(const Eigen::Vector2d &q) const { return -q.dot(slope(q)) / 6. * slope(q); }
+  Eigen::Vector2d shift(const Eigen::Vector2d &q) const;
 
   /*! The point of the print that is seen where the plane would be at \e flat; slant: see MarkerPlane::slantAt(). */
-  Eigen::Vector2d seenAt(const Eigen::Vector2d &flat, const Eigen::Vector2d &slant) const
-  {
-    Eigen::Vector2d q = flat;
-    for (int i = 0; i < steps; ++i) {
-      q = flat + height(q) * slant - shift(q);
-    }
-    return q;
-  }
+  Eigen::Vector2d seenAt(const Eigen::Vector2d &flat, const Eigen::Vector2d &slant) const;
 
   /*! The same sheet in a frame that is turned about the normal, rad, positive from x to y. */
-  void spin(double angle)
-  {
-    const double c = std::cos(2. * angle);
-    const double s = std::sin(2. * angle);
-    saddle = Eigen::Vector2d(c * saddle.x() + s * saddle.y(), c * saddle.y() - s * saddle.x());
-  }
+  void spin(double angle);
 
   /*! Steps to the point that is seen: each leaves some hundredths of the way. */
   static constexpr int steps = 3;
@@ -87,44 +69,27 @@ struct MarkerPlane
   SheetBend bend;           //!< Of the sheet.
 
   /*! Normalised coordinates of the image of a point of the sheet. */
-  Eigen::Vector2d project(const Eigen::Vector2d &q) const
-  {
-    Eigen::Vector3d p = center + radius * (rotation.leftCols<2>() * q);
-    if (bend.isAny()) {
-      p += radius * (rotation.leftCols<2>() * bend.shift(q) + bend.height(q) * rotation.col(2));
-    }
-    return p.head<2>() / p.z();
-  }
+  Eigen::Vector2d project(const Eigen::Vector2d &q) const;
 
   /*! The point of the sheet whose image is \e meter, in normalised coordinates. */
-  Eigen::Vector2d intersect(const Eigen::Vector2d &meter) const
-  {
-    const Eigen::Vector3d ray(meter.x(), meter.y(), 1.);
-    const double depth = rotation.col(2).dot(center) / rotation.col(2).dot(ray);
-    const Eigen::Vector2d flat = rotation.leftCols<2>().transpose() * (depth * ray - center) / radius;
-    return bend.isAny() ? bend.seenAt(flat, slantAt(flat)) : flat;
-  }
+  Eigen::Vector2d intersect(const Eigen::Vector2d &meter) const;
 
   /*! How far the ray through a point of the plane goes along it, on its way by one unit of height away from the camera.
    */
-  Eigen::Vector2d slantAt(const Eigen::Vector2d &flat) const
-  {
-    const Eigen::Vector3d camera = -rotation.transpose() * center / radius;
-    return (flat - camera.head<2>()) / -camera.z();
-  }
+  Eigen::Vector2d slantAt(const Eigen::Vector2d &flat) const;
 
   /*! Whether the print's front is seen, and the camera is not nearly on it. */
-  bool showsFront() const { return center.z() > 0.1 * radius && rotation.col(2).dot(center) > 0.; }
+  bool showsFront() const;
 
   /*! Cosine of the angle at which the camera sees the centre: 1 facing it, 0 edge-on. */
-  double foreshortening() const { return rotation.col(2).dot(center.normalized()); }
+  double foreshortening() const;
 
   /*!
     Semi-minor axis of the outer edge's image where the pixels are of a size, pixels; to first order in the radius over
     the distance.
     \param unit : Size of a pixel, normalised coordinates.
   */
-  double semiMinor(double unit) const { return std::abs(foreshortening()) * radius / (center.norm() * unit); }
+  double semiMinor(double unit) const;
 
   /*! The same pose of a flat sheet. */
   MarkerPlane flattened() const
@@ -135,11 +100,7 @@ struct MarkerPlane
   }
 
   /*! Turns the marker about its normal, rad, positive from x to y. */
-  void spin(double angle)
-  {
-    rotation = rotation * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    bend.spin(angle);
-  }
+  void spin(double angle);
 };
 
 /*!
@@ -148,53 +109,20 @@ struct MarkerPlane
   \param rotation : From that frame to the other.
   \param unit : What the first has for its unit of length, in that of the other.
 */
-inline Eigen::Matrix<double, 6, 6> turnedCovariance(const Eigen::Matrix<double, 6, 6> &covariance,
-                                                    const Eigen::Matrix3d &rotation, double unit = 1.)
-{
-  Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Zero();
-  change.topLeftCorner<3, 3>() = unit * rotation;
-  change.bottomRightCorner<3, 3>() = rotation;
-  return change * covariance * change.transpose();
-}
+Eigen::Matrix<double, 6, 6> turnedCovariance(const Eigen::Matrix<double, 6, 6> &covariance,
+                                             const Eigen::Matrix3d &rotation, double unit = 1.);
 
 /*! Turns the second pose about its normal so that its x axis has the image direction of the first pose's x axis. */
-inline void copySpin(const MarkerPlane &from, MarkerPlane &to)
-{
-  const Eigen::Vector2d onTo = to.intersect(from.project(Eigen::Vector2d(1., 0.)));
-  to.spin(std::atan2(onTo.y(), onTo.x()));
-}
+void copySpin(const MarkerPlane &from, MarkerPlane &to);
 
 /*! How far the outline moves in the image from one pose to another, normalised coordinates, as four points show it. */
-inline double outlineMotion(const MarkerPlane &from, const MarkerPlane &to)
-{
-  double squared = 0.;
-  for (const double x : {-1., 1.}) {
-    for (const Eigen::Vector2d &q : {Eigen::Vector2d(x, 0.), Eigen::Vector2d(0., x)}) {
-      // The spin moves no outline: the same points of space, about, are compared.
-      const Eigen::Vector2d p = from.rotation.leftCols<2>().transpose() * to.rotation.leftCols<2>() * q;
-      squared = std::max(squared, (to.project(q) - from.project(p.normalized())).squaredNorm());
-    }
-  }
-  return std::sqrt(squared);
-}
+double outlineMotion(const MarkerPlane &from, const MarkerPlane &to);
 
 /*!
   How far the print moves in the image from one pose to another, its spin too: the largest distance that eight points of
   the outline and the centre move, normalised coordinates.
 */
-inline double printMotion(const MarkerPlane &from, const MarkerPlane &to)
-{
-  double squared = (to.project(Eigen::Vector2d::Zero()) - from.project(Eigen::Vector2d::Zero())).squaredNorm();
-  for (const double x : {-1., 0., 1.}) {
-    for (const double y : {-1., 0., 1.}) {
-      if (x != 0. || y != 0.) {
-        const Eigen::Vector2d q = Eigen::Vector2d(x, y).normalized();
-        squared = std::max(squared, (to.project(q) - from.project(q)).squaredNorm());
-      }
-    }
-  }
-  return std::sqrt(squared);
-}
+double printMotion(const MarkerPlane &from, const MarkerPlane &to);
 } // namespace circle_marker
 END_VISP_NAMESPACE
 

@@ -24,6 +24,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include "refine/coarse_fits.h"
 #include "refine/fit_starts.h"

@@ -19,6 +19,8 @@
 
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "ellipse/fit_conic.h"
 #include "pose/circle_covariance.h"
 #include "support/cross_matrix.h"
@@ -74,24 +76,30 @@ Eigen::Matrix3d secondOrder(const Eigen::Matrix<double, 6, 6> &covariance)
   return moment;
 }
 
-// From (t, w) about the marker's centre to (v, w) of exp(delta) about the camera's: t = v + w x C.
-void putCovarianceInCamera(const FittedPose &fit, bool spinIsKnown, vpMatrix &covariance)
+void putSymmetric(const Eigen::Matrix<double, 6, 6> &matrix, vpMatrix &covariance)
+{
+  covariance.resize(6, 6, false, false);
+  for (unsigned int row = 0; row < 6; ++row) {
+    for (unsigned int column = 0; column < 6; ++column) {
+      covariance[row][column] = 0.5 * (matrix(row, column) + matrix(column, row));
+    }
+  }
+}
+
+// Of (t, w) about the marker's centre, and of (v, w) of exp(delta) about the camera's: t = v + w x C.
+void putCovariances(const FittedPose &fit, bool spinIsKnown, vpMatrix &atMarker, vpMatrix &atCamera)
 {
   Eigen::Matrix<double, 6, 6> local = fit.covariance;
-  local.topLeftCorner<3, 3>() += secondOrder(fit.covariance);
   if (!spinIsKnown) {
     const Eigen::Vector3d normal = fit.plane.rotation.col(2);
     local.bottomRightCorner<3, 3>() += uniformSpinVariance * normal * normal.transpose();
   }
+  putSymmetric(local, atMarker);
+  // The spin of a convention moves nothing: it has no part in the second order.
+  local.topLeftCorner<3, 3>() += secondOrder(fit.covariance);
   Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Identity();
   change.topRightCorner<3, 3>() = crossMatrix(fit.plane.center);
-  const Eigen::Matrix<double, 6, 6> camera = change * local * change.transpose();
-  covariance.resize(6, 6, false, false);
-  for (unsigned int row = 0; row < 6; ++row) {
-    for (unsigned int column = 0; column < 6; ++column) {
-      covariance[row][column] = 0.5 * (camera(row, column) + camera(column, row));
-    }
-  }
+  putSymmetric(change * local * change.transpose(), atCamera);
 }
 
 Eigen::Vector2d outlinePoint(const MarkerPlane &plane, const CameraModel &camera, unsigned int i, unsigned int count)
@@ -150,17 +158,18 @@ void putReport(const Recognition &marker, const Measurement &measurement, const 
   detection.hasSecondPose = measurement.second.has_value();
   if (measurement.second) {
     putPose(withReportedSpin(marker, measurement.second->plane), zAligned, detection.cMo2);
-    putCovarianceInCamera(*measurement.second, spinIsKnown, detection.covariance2);
+    putCovariances(*measurement.second, spinIsKnown, detection.covarianceAtMarker2, detection.covariance2);
     detection.cost2 = measurement.cost2;
     detection.logOdds = measurement.cost2 - measurement.cost;
   }
   else {
     detection.cMo2.eye();
     detection.covariance2.resize(6, 6, true, false);
+    detection.covarianceAtMarker2.resize(6, 6, true, false);
     detection.cost2 = HUGE_VAL;
     detection.logOdds = HUGE_VAL;
   }
-  putCovarianceInCamera(measurement.first, spinIsKnown, detection.covariance);
+  putCovariances(measurement.first, spinIsKnown, detection.covarianceAtMarker, detection.covariance);
   detection.isInverse = false;
   detection.visible = visible;
 }

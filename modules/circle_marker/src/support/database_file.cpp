@@ -51,10 +51,18 @@ void checkEntry(const vpCircleMarkerEntry &entry)
     }
   }
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
-  if (entry.isPayloadJson && !entry.payload.empty() && !nlohmann::json::accept(entry.payload)) {
-    throw vpException(vpException::badValue,
-                      "the payload of %s is said to be JSON and is none; mend it, or leave isPayloadJson false",
-                      describe(entry.family, entry.id).c_str());
+  if (entry.isPayloadJson && !entry.payload.empty()) {
+    constexpr std::size_t around =
+        3; // the file's object, its list of markers, and the marker: what is saved can be read
+    try {
+      parseWithLines(entry.payload, deepestJson - around);
+    }
+    catch (const vpException &e) {
+      throw vpException(vpException::badValue,
+                        "the payload of %s is said to be JSON and cannot be saved as that (%s); mend it, or leave "
+                        "isPayloadJson false",
+                        describe(entry.family, entry.id).c_str(), e.getStringMessage().c_str());
+    }
   }
 #endif
 }

@@ -74,7 +74,7 @@ private:
 class Builder : public nlohmann::json_sax<nlohmann::json>
 {
 public:
-  explicit Builder(const unsigned int &line) : m_line(line) {}
+  Builder(const unsigned int &line, std::size_t deepest) : m_line(line), m_deepest(deepest) {}
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
@@ -129,9 +129,9 @@ private:
   }
   bool open(JsonNode::Kind kind)
   {
-    constexpr std::size_t deepest = 100; // a tree is gone through by functions that call themselves
-    if (m_open.size() >= deepest) {
-      refuseAtLine(m_line, "lists and objects are nested more than " + std::to_string(deepest) + " deep; flatten them");
+    if (m_open.size() >= m_deepest) {
+      refuseAtLine(m_line,
+                   "lists and objects are nested more than " + std::to_string(m_deepest) + " deep; flatten them");
     }
     // Only the last child of an open node grows: the pointers to those above stay good.
     m_open.push_back(&place(kind));
@@ -144,6 +144,7 @@ private:
   }
 
   const unsigned int &m_line;     //!< Line of the last character that was read.
+  std::size_t m_deepest;          //!< How many lists and objects may lie in each other.
   std::vector<JsonNode *> m_open; //!< Objects and arrays that are not complete, from the outside.
   std::string m_name;             //!< Of the member that comes next.
 };
@@ -178,10 +179,10 @@ nlohmann::json valueOf(const JsonNode &node)
   }
 }
 
-JsonNode parseWithLines(const std::string &text)
+JsonNode parseWithLines(const std::string &text, std::size_t deepest)
 {
   unsigned int line = 1;
-  Builder builder(line);
+  Builder builder(line, deepest);
   nlohmann::json::sax_parse(CountingIterator(text.data(), &line), CountingIterator(text.data() + text.size(), &line),
                             &builder);
   return std::move(builder.root);

@@ -21,6 +21,7 @@
 #include <visp3/circle_marker/vpConfigCircleMarker.h>
 
 #ifdef VISP_CIRCLE_MARKER_HAVE_JSON
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,11 +52,17 @@ struct JsonNode
 /*! \return The value as the JSON library has it. */
 nlohmann::json valueOf(const JsonNode &node);
 
+/*! Lists and objects in each other that are read: a tree is gone through by functions that call themselves. */
+constexpr std::size_t deepestJson = 100;
+
 /*!
   Reads a JSON text.
-  \exception vpException::badValue : If it is none, or an object names a member twice: "line N: " and what is wrong.
+  \param text : The text.
+  \param deepest : How many lists and objects may lie in each other.
+  \exception vpException::badValue : If it is none, is nested too deeply, or an object names a member twice: "line N: " and
+  what is wrong.
 */
-JsonNode parseWithLines(const std::string &text);
+JsonNode parseWithLines(const std::string &text, std::size_t deepest = deepestJson);
 
 /*!
   \param line : Line of the file.

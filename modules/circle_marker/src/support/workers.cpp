@@ -31,8 +31,8 @@
 BEGIN_VISP_NAMESPACE
 namespace circle_marker {
 namespace {
-// A thread that sleeps comes back 0.05 ms after it is called, in a virtual machine 0.2, and an image has two dozen rounds
-// of work, with up to 0.2 ms in between. So a thread stays awake for longer than that.
+// A thread that sleeps comes back 0.05 ms after it is called, in a virtual machine 0.2, and an image has two dozen
+// rounds of work, with up to 0.2 ms in between. So a thread stays awake for longer than that.
 constexpr std::chrono::microseconds staysAwake(500);
 constexpr std::size_t cacheLine = 64; // bytes
 

@@ -123,10 +123,12 @@ void MarkerTracks::follow(const std::vector<SeenMarker> &seen, int width, int he
       }
     }
     if (nearest != nullptr) {
-      track.hasSpeed = true;
-      track.speed = marker.outline.center - nearest->marker.outline.center;
-      track.growth = marker.outline.a - nearest->marker.outline.a;
       nearest->isSeen = true;
+      if (!nearest->isLost()) { // else it is the way of many images, and nobody knows how it was made
+        track.hasSpeed = true;
+        track.speed = marker.outline.center - nearest->marker.outline.center;
+        track.growth = marker.outline.a - nearest->marker.outline.a;
+      }
     }
     else if (marker.id >= 0 && !isCutShort) { // it has jumped to here, and is not where it was
       forget(marker);

@@ -84,7 +84,7 @@ std::string secondPoseLine(const vpCircleMarkerDetection &detection)
 PoseDeviation poseDeviation(const vpCircleMarkerDetection &detection)
 {
   const vpTranslationVector t = detection.cMo.getTranslationVector();
-  const vpMatrix covariance = detection.getCovarianceOfCenter();
+  const vpMatrix covariance = detection.covarianceAtMarker;
   const vpMatrix place = covariance.extract(0, 0, 3, 3);
   const vpMatrix turn = covariance.extract(3, 3, 3, 3);
   vpColVector sight(std::vector<double>{t[0], t[1], t[2]});

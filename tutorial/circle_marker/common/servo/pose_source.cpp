@@ -78,8 +78,11 @@ std::optional<vpHomogeneousMatrix> PoseSource::lookForCircle(const vpImage<unsig
   const auto wayTo = [this](const vpCircleMarkerDetection &detection) {
     return distanceBetween(*m_last, detection.cMo * m_object.circle->oMm.inverse());
   };
+  const auto isBetter = [&](const vpCircleMarkerDetection &p, const vpCircleMarkerDetection &q) {
+    return m_last ? wayTo(p) < wayTo(q) : p.ellipse.a > q.ellipse.a;
+  };
   for (const vpCircleMarkerDetection &detection : m_circleDetector.getDetections()) {
-    if (isSought(detection) && (seen == nullptr || (m_last && wayTo(detection) < wayTo(*seen)))) {
+    if (isSought(detection) && (seen == nullptr || isBetter(detection, *seen))) {
       seen = &detection;
     }
   }

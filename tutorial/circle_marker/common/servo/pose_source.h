@@ -46,8 +46,8 @@ struct ObjectSighting
 };
 
 /*!
-  Sees the object's markers. A servo goes on with the marker that it has begun with; and which of a circle's two poses
-  is right it is told by all images since, not by one.
+  Sees the object's markers. A servo begins with the largest image of a marker and goes on with that; and which of a
+  circle's two poses is right it is told by all images since, not by one.
 */
 class PoseSource
 {

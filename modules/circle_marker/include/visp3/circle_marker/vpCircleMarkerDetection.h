@@ -54,12 +54,16 @@ struct vpImageEllipse
   The frame of the poses follows vpDetectorCircleMarker::setZAlignedWithCameraAxis(). A covariance is that of
   \f$ \delta = (\upsilon, \omega) \f$ in the camera frame, metres and radians, with
   \f$ ^cM_o^{true} = \exp(\delta) \, ^cM_o \f$ (vpExponentialMap), and does not depend on that choice.
-  It is about the camera's centre: that of the place of the marker's centre
-  (not of its image \e center) is getCovarianceOfCenter().
-  Each pose has that of its own fit: of two, one is true, and the covariance does not tell of the other. A second pose
-  that trails far behind (log-odds of some 30) was left as a fit of few pixels had it, with the covariance of these.
+  It is about the camera's centre. That of where the marker is and how it is turned, of \f$ (dt, \omega) \f$ in the
+  camera frame with \f$ t^{true} = t + dt \f$ and \f$ R^{true} = \exp([\omega]_\times) R \f$, stands beside it: the
+  square root of its third diagonal element is the standard deviation of z. The other one has there what a turn about
+  the camera does besides, which is much more beside the axis. To first order \f$ dt = \upsilon + \omega \times t \f$,
+  but far away the term \f$ -\omega \times dt / 2 \f$ of the logarithm is as large as the error across the line of
+  sight, so that neither follows from the other. Each pose has that of its own fit: of two, one is true, and the
+  covariance does not tell of the other. A second pose that trails far behind (log-odds of some 30) was left as a fit of
+  few pixels had it, with the covariance of these.
 */
-struct VISP_EXPORT vpCircleMarkerDetection
+struct vpCircleMarkerDetection
 {
   vpCircleMarkerFamily family;           //!< Family the marker belongs to.
   int id = -1;                           //!< Identity in the family; -1 for a family without code.
@@ -77,10 +81,10 @@ struct VISP_EXPORT vpCircleMarkerDetection
   double logOdds = HUGE_VAL;             //!< ln(odds of cMo against cMo2), as far as the image is as the model has it.
   vpMatrix covariance = vpMatrix(6, 6);  //!< 6 x 6 covariance of cMo, metres and radians.
   vpMatrix covariance2 = vpMatrix(6, 6); //!< The same of cMo2; zero without a second solution.
-  bool isInverse = false;                //!< Whether it is white on black: see vpDetectorCircleMarker::setPolarity().
-  double visible = 0.;                   //!< Share of the ring's outer edge that was seen, in [0, 1].
-
-  vpMatrix getCovarianceOfCenter() const;
+  vpMatrix covarianceAtMarker = vpMatrix(6, 6);  //!< 6 x 6 covariance of place and turn by cMo, metres and radians.
+  vpMatrix covarianceAtMarker2 = vpMatrix(6, 6); //!< The same of cMo2; zero without a second solution.
+  bool isInverse = false; //!< Whether it is white on black: see vpDetectorCircleMarker::setPolarity().
+  double visible = 0.;    //!< Share of the ring's outer edge that was seen, in [0, 1].
 };
 
 END_VISP_NAMESPACE

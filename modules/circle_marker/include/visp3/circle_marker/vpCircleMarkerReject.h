@@ -31,8 +31,8 @@ BEGIN_VISP_NAMESPACE
 
 /*!
   \ingroup group_circle_marker
-  \brief Why a candidate was not taken for a marker, in the order in which the detector asks: the later the reason, the
-  more of a marker the candidate has.
+  \brief Why a candidate was not taken for a marker. Of an outline's reasons for being no marker of a family, the later
+  ones are of candidates that have more of a marker.
 */
 enum class vpCircleMarkerReject
 {

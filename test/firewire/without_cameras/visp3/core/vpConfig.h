@@ -12,7 +12,7 @@
  * WARRANTY OF DESIGN, MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE.
  *
  * Description:
- * ViSP's configuration as it is where no camera and no display was found.
+ * ViSP's configuration as it is where no camera, no display and no AprilTag was found.
  */
 
 // Another file of the same name: no guard of its own, the hidden one has one.
@@ -23,3 +23,4 @@
 #undef VISP_HAVE_X11
 #undef VISP_HAVE_OPENCV
 #undef VISP_HAVE_DISPLAY
+#undef VISP_HAVE_APRILTAG
