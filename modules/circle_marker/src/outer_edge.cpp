@@ -96,15 +96,17 @@ double insideAt(const Crossing &crossing, double distance)
   return NormalDistribution::instance().at(-distance / crossing.blur).cumulative;
 }
 
-// Of a marker's image, pixels.
+// Semi-major axis of a marker's image, pixels: whatever its spin, the greatest stretch of the plane's unit vectors.
 double radiusOf(const MarkerPlane &plane, const CameraModel &camera)
 {
-  const Eigen::Vector2d center = camera.toPixel(plane.project(Eigen::Vector2d::Zero()));
-  double radius = 0.;
-  for (const Eigen::Vector2d &q : {Eigen::Vector2d(1., 0.), Eigen::Vector2d(0., 1.)}) {
-    radius = std::max(radius, (camera.toPixel(plane.project(q)) - center).norm());
-  }
-  return radius;
+  const auto halfAlong = [&](const Eigen::Vector2d &q) -> Eigen::Vector2d {
+    return 0.5 * (camera.toPixel(plane.project(q)) - camera.toPixel(plane.project(-q)));
+  };
+  Eigen::Matrix2d byPlane;
+  byPlane << halfAlong(Eigen::Vector2d::UnitX()), halfAlong(Eigen::Vector2d::UnitY());
+  const double sum = byPlane.squaredNorm(); // of the squares of both stretches, and their product
+  const double product = byPlane.determinant();
+  return std::sqrt(0.5 * (sum + std::sqrt(std::max(sum * sum - 4. * product * product, 0.))));
 }
 
 // What moves the edges outward or inward moves the depth, by the same share; and the tilt, as in the short direction of

@@ -84,6 +84,23 @@ TEST(OuterEdge, HalosMoveTheDepth)
   EXPECT_NEAR(measurement.cost2 - measurement.cost, 0.5 * odds, 1e-9) << "half of the odds is believed";
 }
 
+// They move the edges of a marker that is turned about its normal by as much.
+TEST(OuterEdge, HalosDoNotSeeTheSpin)
+{
+  const auto doubtAt = [](double spin) {
+    Measurement measurement = facing();
+    measurement.first.plane.rotation =
+        room_test::turn(1., Eigen::Vector3d::UnitX()) * room_test::turn(spin, Eigen::Vector3d::UnitZ());
+    addHaloDoubt(0.06, camera(), measurement);
+    return measurement.first.covariance;
+  };
+  const Eigen::Matrix<double, 6, 6> expected = doubtAt(0.);
+  EXPECT_GT(expected(2, 2), 1. + 1e-6);
+  for (const double spin : {0.4, M_PI / 4., M_PI / 2.}) {
+    EXPECT_LT((doubtAt(spin) - expected).norm(), 0.01 * (expected(2, 2) - 1.)) << spin;
+  }
+}
+
 TEST(OuterEdge, HalosAreNotToldFromWideBlurs)
 {
   Measurement measurement = facing();
