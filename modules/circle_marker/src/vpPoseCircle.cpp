@@ -285,9 +285,9 @@ void vpPoseCircle::setCovarianceComputation(bool flag)
   \return 6 x 6 covariance of the first pose of the last computePose(), of \f$ \delta = (\upsilon, \omega) \f$ in the
   camera frame with \f$ ^cM_o^{true} = \exp(\delta) \, ^cM_o \f$ (vpExponentialMap), metres and radians. The spin about
   the normal is not measured and has the variance of a uniform angle, pi^2/3. It follows from the geometry and from
-  setPointSigma() alone, not from how well the contour fits: see computeResidual(). It is right to first order: that of the
-  centre's place dt and the turn \f$ \omega \f$, \f$ \upsilon = dt - \omega \times t \f$.
-  \exception vpException::notInitialized : It was not computed: see setCovarianceComputation().
+  setPointSigma() alone, not from how well the contour fits: see computeResidual(). It is right to first order: that of
+  the centre's place dt and the turn \f$ \omega \f$, \f$ \upsilon = dt - \omega \times t \f$. \exception
+  vpException::notInitialized : It was not computed: see setCovarianceComputation().
 */
 vpMatrix vpPoseCircle::getCovarianceMatrix() const
 {

@@ -59,8 +59,8 @@ constexpr std::size_t deepestJson = 100;
   Reads a JSON text.
   \param text : The text.
   \param deepest : How many lists and objects may lie in each other.
-  \exception vpException::badValue : If it is none, is nested too deeply, or an object names a member twice: "line N: " and
-  what is wrong.
+  \exception vpException::badValue : If it is none, is nested too deeply, or an object names a member twice: "line N: "
+  and what is wrong.
 */
 JsonNode parseWithLines(const std::string &text, std::size_t deepest = deepestJson);
 
